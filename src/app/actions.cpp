@@ -43,9 +43,15 @@ std::string measuring_text(State s) {
 std::string edges_text(State s) {
     return s.look.edges;
 }
-std::string annotations_text(State s) {
-    return frame::to_string(s.look.annotations);
+template <frame::Annotation annotation>
+std::string annotation_text(State s) {
+    return on_off(s.look.annotations.has(annotation));
 }
+constexpr auto points_text = annotation_text<frame::Annotation::points>,
+               normals_text = annotation_text<frame::Annotation::normals>,
+               box_text = annotation_text<frame::Annotation::box>,
+               grid_text = annotation_text<frame::Annotation::grid>,
+               axes_text = annotation_text<frame::Annotation::axes>;
 std::string light_text(State s) {
     return s.light < 0 ? "" : fmt::format("light {}", s.light + 1);
 }
@@ -54,6 +60,9 @@ std::string turntable_text(State s) {
 }
 std::string info_text(State s) {
     return on_off(s.info);
+}
+std::string warnings_text(State s) {
+    return on_off(s.warnings > 0);
 }
 std::string doctor_text(State s) {
     return on_off(s.doctor > 0);
@@ -66,6 +75,26 @@ std::string split_text(State s) {
 }
 std::string explain_text(State s) {
     return on_off(s.explain > 0);
+}
+
+template <std::size_t axis>
+std::string asked_text(State s) {
+    return s.look.rendering.asked[axis];
+}
+std::string stops_text(State s) {
+    return exposure_text(s.look.rendering.exposure);
+}
+std::string behind_text(State s) {
+    return background_text(s.look.rendering.background);
+}
+
+std::string scale_axis_text(State s) {
+    constexpr std::array<std::string_view, 4> kNames = {"all axes", "x alone", "y alone",
+                                                        "z alone"};
+    return std::string(kNames[static_cast<std::size_t>(s.scale_axis + 1)]);
+}
+std::string fly_text(State s) {
+    return s.look.flies ? "flies" : "orbit";
 }
 
 // clang-format off
@@ -85,10 +114,10 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::scale_down, "scale_down", "- KP-", "", "scale", 0, true},
     {Id::roll_left, "roll_left", "[", "[ ]", "roll", 0, true},
     {Id::roll_right, "roll_right", "]", "", "roll", 0, true},
-    {Id::reset, "reset", "Home R", "Home R F", "back to the start, fit"},
-    {Id::fit, "fit", "F", "", "fit into the picture"},
-    {Id::toggle_drive, "toggle_drive", "O", "O", "drive model or camera", 0, false, drive_text, "keys drive"},
-    {Id::view_front, "view_front", "1 KP1", "1 3 7 9", "front right top iso view", 0, false, view_text, "view"},
+    {Id::reset, "reset", "Home R", "Home R", "back to the start"},
+    {Id::fit, "fit", "F", "F", "fit into the picture"},
+    {Id::toggle_drive, "toggle_drive", "O", "O", "the keys drive:", 0, false, drive_text, "keys drive"},
+    {Id::view_front, "view_front", "1 KP1", "1 3 7 9", "front, right, top, iso view", 0, false, view_text, "view"},
     {Id::view_back, "view_back", "Ctrl+1 Ctrl+KP1", "Ctrl+1 3 7 9", "the opposite views"},
     {Id::view_right, "view_right", "3 KP3", "", "right view"},
     {Id::view_left, "view_left", "Ctrl+3 Ctrl+KP3", "", "left view"},
@@ -96,45 +125,71 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::view_bottom, "view_bottom", "Ctrl+7 Ctrl+KP7", "", "bottom view"},
     {Id::view_iso, "view_iso", "9 KP9", "", "iso view"},
     {Id::view_iso_back, "view_iso_back", "Ctrl+9 Ctrl+KP9", "", "opposite of the iso view"},
-    {Id::toggle_projection, "toggle_projection", "5 KP5", "5", "projection", 0, false, projection_text, "projection"},
-    {Id::up_axis_next, "up_axis_next", "Y", "Y", "up axis", 0, false, up_text, "up axis"},
-    {Id::cull_next, "cull_next", "C", "C M J { } T", "cull colour section measure", 0, false, cull_text, "faces left out"},
-    {Id::colour_next, "colour_next", "M", "", "what colours mean", 0, false, colour_text, "colour by"},
-    {Id::section_next, "section_next", "J", "", "section across x, y, z", 0, false, section_text, "section"},
-    {Id::section_flip, "section_flip", "Shift+J", "", "the section's other side", 0, false, section_text, "section"},
+    {Id::toggle_projection, "toggle_projection", "5 KP5", "5", "projection:", 0, false, projection_text, "projection"},
+    {Id::up_axis_next, "up_axis_next", "Y", "Y", "up axis:", 0, false, up_text, "up axis"},
+    {Id::cull_next, "cull_next", "C", "C", "faces left out:", 0, false, cull_text, "faces left out"},
+    {Id::colour_next, "colour_next", "M", "M", "colour by:", 0, false, colour_text, "colour by"},
+    {Id::section_next, "section_next", "J", "J { }", "section, slide it:", 0, false, section_text, "section"},
+    {Id::section_flip, "section_flip", "Shift+J", "Shift+J", "the section's other side", 0, false, section_text, "section"},
     {Id::section_down, "section_down", "{", "", "slide the section", 0, true, section_text, "section"},
     {Id::section_up, "section_up", "}", "", "slide the section", 0, true, section_text, "section"},
     {Id::slide_section, "slide_section", "", "", "slide the section", 1, false, section_text, "section"},
-    {Id::toggle_measuring, "toggle_measuring", "T", "", "measure between clicks", 0, false, measuring_text, "measuring"},
-    {Id::edges_next, "edges_next", "E", "E P N B G A", "edges points normals box grid axes", 0, false, edges_text, "edges"},
-    {Id::toggle_points, "toggle_points", "P", "", "vertices of faces", 0, false, annotations_text, "shown"},
-    {Id::toggle_normals, "toggle_normals", "N", "", "normals", 0, false, annotations_text, "shown"},
-    {Id::toggle_box, "toggle_box", "B", "", "bounding box", 0, false, annotations_text, "shown"},
-    {Id::toggle_grid, "toggle_grid", "G", "", "grid on the ground", 0, false, annotations_text, "shown"},
-    {Id::toggle_axes, "toggle_axes", "A", "", "axes x y z", 0, false, annotations_text, "shown"},
-    {Id::light_next, "light_next", "L", "L", "next light: move it, + -", 0, false, light_text},
-    {Id::toggle_info, "toggle_info", "I", "I", "information", 0, false, info_text, "information"},
-    {Id::toggle_explain, "toggle_explain", "X", "X", "what runs, and why", 0, false, explain_text, "what runs, and why"},
-    {Id::toggle_doctor, "toggle_doctor", "D", "D", "hazards of the file, and where", 0, false, doctor_text},
-    {Id::toggle_error_map, "toggle_error_map", "V", "V", "map of the errors", 0, false, error_map_text, "map of the errors"},
+    {Id::toggle_measuring, "toggle_measuring", "T", "T", "measure by clicks:", 0, false, measuring_text, "measuring"},
+    {Id::edges_next, "edges_next", "E", "E", "edges:", 0, false, edges_text, "edges"},
+    {Id::toggle_points, "toggle_points", "P", "P", "vertices:", 0, false, points_text, "vertices"},
+    {Id::toggle_normals, "toggle_normals", "N", "N", "normals:", 0, false, normals_text, "normals"},
+    {Id::toggle_box, "toggle_box", "B", "B", "bounding box:", 0, false, box_text, "bounding box"},
+    {Id::toggle_grid, "toggle_grid", "G", "G", "grid on the ground:", 0, false, grid_text, "grid"},
+    {Id::toggle_axes, "toggle_axes", "A", "A", "axes x y z:", 0, false, axes_text, "axes"},
+    {Id::light_next, "light_next", "L", "L", "next light: arrows, + -", 0, false, light_text},
+    {Id::toggle_info, "toggle_info", "I", "I", "information:", 0, false, info_text, "information"},
+    {Id::toggle_explain, "toggle_explain", "X", "X", "what runs, and why:", 0, false, explain_text, "what runs, and why"},
+    {Id::toggle_doctor, "toggle_doctor", "D", "D", "hazards of the file:", 0, false, doctor_text},
+    {Id::toggle_error_map, "toggle_error_map", "V", "V", "map of the errors:", 0, false, error_map_text, "map of the errors"},
     {Id::rung_down, "rung_down", ",", ", .", "quicker, more accurate rungs", 0, true},
     {Id::rung_up, "rung_up", ".", "", "more accurate rungs", 0, true},
-    {Id::toggle_split, "toggle_split", "/", "/ < >", "split: now | reference", 0, false, split_text, "split view"},
+    {Id::toggle_split, "toggle_split", "/", "/ < >", "split, now | reference:", 0, false, split_text, "split view"},
     {Id::split_left, "split_left", "<", "", "move the split line", 0, true},
     {Id::split_right, "split_right", ">", "", "move the split line", 0, true},
-    {Id::toggle_turntable, "toggle_turntable", "Space", "Space", "turntable", 0, false, turntable_text, "turntable"},
-    {Id::undo, "undo", "U", "U F5", "undo, read the file again"},
-    {Id::reload, "reload", "F5", "", "read the file again"},
+    {Id::toggle_turntable, "toggle_turntable", "Space", "Space", "turntable:", 0, false, turntable_text, "turntable"},
+    {Id::undo, "undo", "U", "U", "undo"},
+    {Id::reload, "reload", "F5", "F5", "read the file again"},
     {Id::screenshot, "screenshot", "S F12", "S F12", "write a picture file"},
     {Id::print_view, "print_view", "K", "K", "this view as a command"},
     {Id::toggle_help, "toggle_help", "H ?", "H ?", "this help"},
     {Id::close, "close", "Escape", "Esc", "close the open panel, else quit"},
     {Id::quit, "quit", "Q Ctrl+C", "Q Ctrl+C Ctrl+Z", "quit, suspend"},
     {Id::suspend, "suspend", "Ctrl+Z", "", "suspend; fg comes back"},
+    {Id::toggle_warnings, "toggle_warnings", "Shift+I", "Shift+I", "warnings of the file:", 0, false, warnings_text},
+    {Id::shading_next, "shading_next", "F2", "F2", "shading:", 0, false, asked_text<0>, "shading"},
+    {Id::shading_previous, "shading_previous", "Shift+F2", "", "shading, back", 0, false, asked_text<0>, "shading"},
+    {Id::aa_next, "aa_next", "F3", "F3", "anti-aliasing:", 0, false, asked_text<1>, "anti-aliasing"},
+    {Id::aa_previous, "aa_previous", "Shift+F3", "", "anti-aliasing, back", 0, false, asked_text<1>, "anti-aliasing"},
+    {Id::texture_next, "texture_next", "F4", "F4", "texture filter:", 0, false, asked_text<2>, "texture filter"},
+    {Id::texture_previous, "texture_previous", "Shift+F4", "", "texture filter, back", 0, false, asked_text<2>, "texture filter"},
+    {Id::shadow_next, "shadow_next", "F6", "F6", "shadow:", 0, false, asked_text<3>, "shadow"},
+    {Id::shadow_previous, "shadow_previous", "Shift+F6", "", "shadow, back", 0, false, asked_text<3>, "shadow"},
+    {Id::tone_next, "tone_next", "F8", "F8", "tone:", 0, false, asked_text<4>, "tone"},
+    {Id::tone_previous, "tone_previous", "Shift+F8", "", "tone, back", 0, false, asked_text<4>, "tone"},
+    {Id::exposure_up, "exposure_up", "F7", "F7", "exposure:", 0, true, stops_text, "exposure"},
+    {Id::exposure_down, "exposure_down", "Shift+F7", "", "exposure, down", 0, true, stops_text, "exposure"},
+    {Id::background_next, "background_next", "F9", "F9", "background:", 0, false, behind_text, "background"},
+    {Id::background_previous, "background_previous", "Shift+F9", "", "background, back", 0, false, behind_text, "background"},
+    {Id::move_far, "move_far", "Ctrl+Up", "Ctrl+Up Down", "move in depth", 0, true},
+    {Id::move_near, "move_near", "Ctrl+Down", "", "move towards the eye", 0, true},
+    {Id::scale_axis_next, "scale_axis_next", "Z", "Z", "+ - scale:", 0, false, scale_axis_text, "+ - scale"},
+    {Id::toggle_fly, "toggle_fly", "W Tab", "W, Tab back", "camera:", 0, false, fly_text, "camera"},
+    {Id::fly_forward, "fly_forward", "W", "W A S D E C", "fly ahead, left, back, right, up, down", 0, true},
+    {Id::fly_left, "fly_left", "A", "", "fly left", 0, true},
+    {Id::fly_back, "fly_back", "S", "", "fly back", 0, true},
+    {Id::fly_right, "fly_right", "D", "", "fly right", 0, true},
+    {Id::fly_up, "fly_up", "E", "", "fly up", 0, true},
+    {Id::fly_down, "fly_down", "C", "", "fly down", 0, true},
     {Id::drag_begin, "drag_begin", "", "", "a mouse button goes down"},
     {Id::drag_rotate, "drag_rotate", "", "Left drag", "rotate", 2},
-    {Id::drag_move, "drag_move", "", "Shift/middle drag", "move", 2},
+    {Id::drag_move, "drag_move", "", "Shift/mid drag", "move", 2},
     {Id::drag_roll, "drag_roll", "", "Ctrl+drag", "roll", 2},
+    {Id::drag_zoom, "drag_zoom", "", "Right drag", "scale", 2},
     {Id::drag_end, "drag_end", "", "", "the mouse button goes up"},
     {Id::zoom_at, "zoom_at", "", "Wheel, Shift+wheel", "scale there, slide section", 3},
     {Id::pointer, "pointer", "", "", "the mouse pointer moves", 2},
@@ -181,6 +236,10 @@ const ActionRow& row_of(ActionId id) {
 
 bool is_view(ActionId id) {
     return id >= ActionId::view_front && id <= ActionId::view_iso_back;
+}
+
+bool is_flying(ActionId id) {
+    return id >= ActionId::fly_forward && id <= ActionId::fly_down;
 }
 
 std::string change_text(ActionId id, const ViewerState& state) {

@@ -26,7 +26,12 @@ enum class ActionId : std::uint8_t {
     section_next, section_flip, section_down, section_up, slide_section, toggle_measuring, edges_next, toggle_points, toggle_normals, toggle_box, toggle_grid, toggle_axes,
     light_next,
     toggle_info, toggle_explain, toggle_doctor, toggle_error_map, rung_down, rung_up, toggle_split, split_left, split_right, toggle_turntable, undo, reload, screenshot, print_view, toggle_help, close, quit, suspend,
-    drag_begin, drag_rotate, drag_move, drag_roll, drag_end, zoom_at, pointer,
+    toggle_warnings,
+    shading_next, shading_previous, aa_next, aa_previous, texture_next, texture_previous, shadow_next, shadow_previous, tone_next, tone_previous,
+    exposure_up, exposure_down, background_next, background_previous,
+    move_far, move_near, scale_axis_next,
+    toggle_fly, fly_forward, fly_left, fly_back, fly_right, fly_up, fly_down,
+    drag_begin, drag_rotate, drag_move, drag_roll, drag_zoom, drag_end, zoom_at, pointer,
     frame,
 };
 // clang-format on
@@ -47,6 +52,7 @@ struct ActionRow {
 std::span<const ActionRow> action_rows();
 const ActionRow& row_of(ActionId id);
 bool is_view(ActionId id);
+bool is_flying(ActionId id); // its keys are those of the camera that flies
 // "projection: orthographic": the state that the action has changed, and its new value. Empty where
 // the action is no switch.
 std::string change_text(ActionId id, const ViewerState& state);

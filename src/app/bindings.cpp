@@ -1,9 +1,8 @@
 #include "app/bindings.h"
 
-#include "base/check.h"
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <xkbcommon/xkbcommon-keysyms.h>
 
@@ -13,105 +12,11 @@ namespace {
 constexpr int kScrollUnitsPerNotch = 120;
 constexpr int kZoomLevelsPerNotch = 8;
 
-struct NamedKey {
-    std::string_view name;
-    std::uint32_t keysym;
-};
-constexpr std::array kNamedKeys = {
-    NamedKey{"Left", XKB_KEY_Left},       NamedKey{"Right", XKB_KEY_Right},
-    NamedKey{"Up", XKB_KEY_Up},           NamedKey{"Down", XKB_KEY_Down},
-    NamedKey{"PageUp", XKB_KEY_Page_Up},  NamedKey{"PageDown", XKB_KEY_Page_Down},
-    NamedKey{"Home", XKB_KEY_Home},       NamedKey{"Escape", XKB_KEY_Escape},
-    NamedKey{"Space", XKB_KEY_space},     NamedKey{"F5", XKB_KEY_F5},
-    NamedKey{"F12", XKB_KEY_F12},         NamedKey{"KP+", XKB_KEY_KP_Add},
-    NamedKey{"KP-", XKB_KEY_KP_Subtract}, NamedKey{"KP1", XKB_KEY_KP_1},
-    NamedKey{"KP3", XKB_KEY_KP_3},        NamedKey{"KP5", XKB_KEY_KP_5},
-    NamedKey{"KP7", XKB_KEY_KP_7},        NamedKey{"KP9", XKB_KEY_KP_9},
-};
-
-struct Binding {
-    Key key;
-    ActionId action;
-};
-
-const std::vector<Binding>& bindings() {
-    static const std::vector<Binding> all = [] {
-        std::vector<Binding> made;
-        for (const ActionRow& row : action_rows()) {
-            std::string_view rest = row.keys;
-            while (!rest.empty()) {
-                const std::size_t end = std::min(rest.find(' '), rest.size());
-                const std::optional<Key> key = parse_key(rest.substr(0, end));
-                CHECK(key.has_value());
-                made.push_back({*key, row.id});
-                rest.remove_prefix(std::min(end + 1, rest.size()));
-            }
-        }
-        return made;
-    }();
-    return all;
-}
-
-// Without NumLock, the keypad's digits are arrows and the like: the binding names the key by its
-// place.
-std::uint32_t without_num_lock(std::uint32_t keysym) {
-    switch (keysym) {
-    case XKB_KEY_KP_End:
-        return XKB_KEY_KP_1;
-    case XKB_KEY_KP_Page_Down:
-        return XKB_KEY_KP_3;
-    case XKB_KEY_KP_Begin:
-        return XKB_KEY_KP_5;
-    case XKB_KEY_KP_Home:
-        return XKB_KEY_KP_7;
-    case XKB_KEY_KP_Page_Up:
-        return XKB_KEY_KP_9;
-    default:
-        return keysym;
-    }
-}
-
-// The layout needed Shift to make this sign: the binding names the sign, not Shift.
-bool is_shifted_sign(const port::Event& event) {
-    const bool letter = (event.keysym >= XKB_KEY_a && event.keysym <= XKB_KEY_z) ||
-                        (event.keysym >= XKB_KEY_A && event.keysym <= XKB_KEY_Z);
-    return event.keysym != event.base_keysym && !letter;
-}
-
 } // namespace
 
-std::optional<Key> parse_key(std::string_view text) {
-    Key key;
-    if (text.starts_with("Ctrl+")) {
-        key.control = true;
-        text.remove_prefix(5);
-    }
-    if (text.starts_with("Shift+")) {
-        key.shift = true;
-        text.remove_prefix(6);
-    }
-    for (const NamedKey& named : kNamedKeys)
-        if (named.name == text) {
-            key.keysym = named.keysym;
-            return key;
-        }
-    // Printable ASCII: the keysym is the character's code.
-    if (text.size() != 1 || text[0] <= ' ' || text[0] > '~') return std::nullopt;
-    const char c = text[0];
-    key.keysym = static_cast<std::uint32_t>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    return key;
-}
-
-std::optional<ActionId> bound_to(const port::Event& event) {
-    if (event.alt) return std::nullopt;
-    for (const Binding& binding : bindings()) {
-        if (binding.key.control != event.control) continue;
-        const bool sign = is_shifted_sign(event) && binding.key.keysym == event.keysym;
-        const bool key = binding.key.keysym == without_num_lock(event.base_keysym) &&
-                         binding.key.shift == event.shift;
-        if (sign || key) return binding.action;
-    }
-    return std::nullopt;
+std::optional<ActionId> bound_to(const port::Event& event, bool flying) {
+    static const KeyMap keys = KeyMap::standard();
+    return keys.find(event, flying);
 }
 
 std::string keys_text() {
@@ -125,9 +30,9 @@ std::string keys_text() {
     return text;
 }
 
-Binder::Binder(int width, int height, bool moves_pointer)
-    : width_(width), height_(height), moves_pointer_(moves_pointer), x_(std::floor(width * 0.5)),
-      y_(std::floor(height * 0.5)) {}
+Binder::Binder(int width, int height, bool moves_pointer, KeyMap keys)
+    : width_(width), height_(height), moves_pointer_(moves_pointer), keys_(std::move(keys)),
+      x_(std::floor(width * 0.5)), y_(std::floor(height * 0.5)) {}
 
 void Binder::bind(std::span<const port::Event> events, std::int64_t step,
                   std::vector<Action>& actions) {
@@ -169,12 +74,13 @@ void Binder::key(const port::Event& event, std::int64_t step, std::vector<Action
         if (held_ && held_->keycode == event.keycode) held_.reset();
         return;
     }
-    const std::optional<ActionId> action = bound_to(event);
+    const std::optional<ActionId> action = keys_.find(event, flies_);
     if (!action) return;
     actions.push_back({*action, {}, {}, false});
     held_.reset();
     if (event.repeats && row_of(*action).repeats)
-        held_ = Held{*action, event.keycode, step + kRepeatDelaySteps, 0};
+        held_ = Held{*action, event.keycode,
+                     step + (is_flying(*action) ? kFlySteps : kRepeatDelaySteps), 0};
 }
 
 std::optional<std::int64_t> Binder::next_repeat() const {
@@ -182,6 +88,7 @@ std::optional<std::int64_t> Binder::next_repeat() const {
     // 60 steps a second are not a multiple of 25: repeat k is due at the first step at or after k /
     // 25 s.
     constexpr int kStepsTimes = 60;
+    if (is_flying(held_->id)) return held_->first_step + std::int64_t{held_->count} * kFlySteps;
     return held_->first_step +
            (std::int64_t{held_->count} * kStepsTimes + kRepeatsPerSecond - 1) / kRepeatsPerSecond;
 }
@@ -213,12 +120,10 @@ void Binder::button(const port::Event& event, std::vector<Action>& actions) {
         actions.push_back({ActionId::drag_end, {}, {}, false});
         return;
     }
-    const bool left = event.button == port::Button::left;
-    if (button_ || (!left && event.button != port::Button::middle)) return;
-    const bool shift = shift_ || event.shift, control = control_ || event.control;
-    drag_ = !left || shift ? ActionId::drag_move
-            : control      ? ActionId::drag_roll
-                           : ActionId::drag_rotate;
+    const std::optional<ActionId> drag =
+        keys_.drag(event.button, shift_ || event.shift, control_ || event.control);
+    if (button_ || !drag) return;
+    drag_ = *drag;
     button_ = event.button;
     drag_x_ = drag_y_ = 0;
     actions.push_back({ActionId::drag_begin, {}, {}, false});

@@ -1,8 +1,8 @@
-// Keys and mouse -> actions. The keys stand in the table of actions; this file knows how keys are
-// spelt, how a held key repeats, and how the mouse drags.
+// Keys and mouse -> actions: how a held key repeats, and how the mouse drags.
 #pragma once
 
 #include "app/actions.h"
+#include "app/keys/key_map.h"
 #include "port/input.h"
 
 #include <cstdint>
@@ -13,29 +13,25 @@
 
 namespace scanout::app {
 
-// A key as the table spells it: "Shift+Left", "Ctrl+C", "KP+", "?".
-struct Key {
-    std::uint32_t keysym = 0; // of xkbcommon; letters in lower case
-    bool shift = false, control = false;
-    friend bool operator==(const Key&, const Key&) = default;
-};
-std::optional<Key> parse_key(std::string_view text); // empty: no such key
-
-// The action that a key press is bound to. Letters and named keys are looked up by the unshifted
-// key, so that Caps Lock does not matter; signs such as + and ? by the sign that the layout gives.
-std::optional<ActionId> bound_to(const port::Event& event);
+// By the table of actions.
+std::optional<ActionId> bound_to(const port::Event& event, bool flying = false);
 
 // `list keys`: one line an action.
 std::string keys_text();
 
 inline constexpr int kRepeatDelaySteps = 36; // 600 ms
 inline constexpr int kRepeatsPerSecond = 25;
+inline constexpr int kFlySteps = 2;         // from one repeat of a key that flies to the next
 inline constexpr int kMaxRepeatsAtOnce = 8; // after a stall
 
 // Turns the machine's events into actions. Keeps the held state: a key, a button, modifiers.
 class Binder {
 public:
-    Binder(int width, int height, bool moves_pointer);
+    Binder(int width, int height, bool moves_pointer, KeyMap keys = KeyMap::standard());
+
+    const KeyMap& keys() const { return keys_; }
+    // The camera flies, or does not: some keys mean something else.
+    void set_flying(bool flies) { flies_ = flies; }
 
     // Appends the actions of a batch of events, in order. Successive motions become one.
     void bind(std::span<const port::Event> events, std::int64_t step, std::vector<Action>& actions);
@@ -63,7 +59,8 @@ private:
     void flush_motion(std::vector<Action>& actions);
 
     int width_, height_;
-    bool moves_pointer_;
+    bool moves_pointer_, flies_ = false;
+    KeyMap keys_;
     bool shift_ = false, control_ = false;
     std::optional<Held> held_;
     double x_, y_;                   // the pointer, pixels

@@ -2,6 +2,7 @@
 #include "app/commands.h"
 #include "app/displays.h"
 #include "app/files.h"
+#include "app/keys/keys_file.h"
 #include "app/message.h"
 #include "app/model_arguments.h"
 #include "app/model_file.h"
@@ -71,7 +72,8 @@ Result<Commands> show(const Settings& settings, SessionParts parts, const char* 
     return session->noted_commands();
 }
 
-Result<Commands> show_headless(const Settings& settings, Tapes tapes, std::uint64_t start_bytes) {
+Result<Commands> show_headless(const Settings& settings, Tapes tapes, KeyMap keys,
+                               std::uint64_t start_bytes) {
     const image::PixelFormat format = settings.pixel_format.value_or(image::PixelFormat{});
     TRY(port::HeadlessDisplay display,
         port::HeadlessDisplay::create(settings.frame.width, settings.frame.height, format));
@@ -86,19 +88,34 @@ Result<Commands> show_headless(const Settings& settings, Tapes tapes, std::uint6
         return {};
     };
     return show(settings,
-                {display, signals, jobs, suspend, std::move(tapes.recorder),
-                 std::move(tapes.script), instant},
+                {display,
+                 signals,
+                 jobs,
+                 suspend,
+                 std::move(tapes.recorder),
+                 std::move(tapes.script),
+                 instant,
+                 {},
+                 std::move(keys)},
                 "headless", start_bytes);
 }
 
-Result<Commands> show_on_console(const Settings& settings, Tapes tapes, std::uint64_t start_bytes) {
+Result<Commands> show_on_console(const Settings& settings, Tapes tapes, KeyMap keys,
+                                 std::uint64_t start_bytes) {
     TRY(const std::unique_ptr<OpenConsole> console, open_console(settings));
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
     Jobs jobs(settings.threads); // threads only now: the seat's server is a fork of this process
     const auto suspend = [&](std::vector<port::Event>& events) { return console->suspend(events); };
     return show(settings,
-                {console->display(), console->input(), jobs, suspend, std::move(tapes.recorder),
-                 std::move(tapes.script), false},
+                {console->display(),
+                 console->input(),
+                 jobs,
+                 suspend,
+                 std::move(tapes.recorder),
+                 std::move(tapes.script),
+                 false,
+                 {},
+                 std::move(keys)},
                 console->backend(), start_bytes);
 }
 
@@ -113,6 +130,8 @@ Result<Exit> run_view(const Settings& given, std::uint64_t start_bytes) {
     TRY(settings.arguments, models_of(given.arguments));
     TRY_VOID(check_view(settings));
     TRY(Tapes tapes, open_tapes(settings));
+    TRY(UserKeys keys, user_keys(settings));
+    print_warnings(keys.faults, settings);
     if (const std::string_view steadying = steadying_option(settings);
         settings.converge == Converge::on && !steadying.empty())
         print_warnings({fmt::format("--converge on changes nothing: with {} nothing converges, so "
@@ -120,9 +139,9 @@ Result<Exit> run_view(const Settings& given, std::uint64_t start_bytes) {
                                     steadying)},
                        settings);
     const bool on_console = settings.backend != Backend::headless;
-    const Result<Commands> noted = on_console
-                                       ? show_on_console(settings, std::move(tapes), start_bytes)
-                                       : show_headless(settings, std::move(tapes), start_bytes);
+    const Result<Commands> noted =
+        on_console ? show_on_console(settings, std::move(tapes), std::move(keys.map), start_bytes)
+                   : show_headless(settings, std::move(tapes), std::move(keys.map), start_bytes);
     if (on_console && settings.verbose && (noted || noted.error().exit != Exit::no_display))
         say("console restored");
     if (!noted) return tl::unexpected(noted.error());

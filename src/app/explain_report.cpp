@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -194,21 +195,40 @@ Entry entry_of(const Line& row, std::size_t letters) {
     return entry;
 }
 
-// As many entries a page as fit between the head and the last lines.
-ScreenPage page_of(const std::string& head, const std::vector<Entry>& entries, std::string last,
+// What does not run folds into one line, unless somebody asked for it or a scene calls for it.
+bool folds(const frame::Decision& d) {
+    return !d.forced && (d.technique == "none" || (!d.on() && !d.needed));
+}
+
+// "off: point_light, spot_light ..."; nothing where all runs.
+std::vector<Entry> folded(const std::vector<std::string>& off, std::size_t letters) {
+    if (off.empty()) return {};
+    return {broken_into_lines(fmt::format("off: {}", fmt::join(off, ", ")), letters)};
+}
+
+// As many entries a page as fit between the head and the last lines; only one that no page holds
+// is parted.
+ScreenPage page_of(std::string head, std::vector<Entry> entries, const std::string& last,
                    std::size_t letters, std::size_t lines, std::size_t page) {
-    const std::size_t capacity = std::max<std::size_t>(lines, 4) - 3;
+    std::vector<std::string> end = broken_into_lines(last, letters);
+    if (end.size() > 1) entries.push_back(std::exchange(end, {})); // a small screen says it once
+    while (letters_in(head) > letters && head.rfind("  ") != std::string::npos)
+        head.erase(head.find_last_not_of(' ', head.rfind("  ")) + 1);
+    const std::size_t around = end.size() + 2;
+    const std::size_t capacity = std::max(lines, around + 1) - around;
     std::vector<std::vector<std::string>> pages(1);
     for (const Entry& entry : entries) {
         if (!pages.back().empty() && pages.back().size() + entry.size() > capacity)
             pages.emplace_back();
-        pages.back().insert(pages.back().end(), entry.begin(), entry.end());
-        pages.back().resize(std::min(pages.back().size(), capacity));
+        for (const std::string& line : entry) {
+            if (pages.back().size() == capacity) pages.emplace_back();
+            pages.back().push_back(line);
+        }
     }
     const std::size_t shown = std::clamp<std::size_t>(page, 1, pages.size());
     ScreenPage result{{head}, pages.size()};
     result.lines.insert(result.lines.end(), pages[shown - 1].begin(), pages[shown - 1].end());
-    result.lines.push_back(std::move(last));
+    result.lines.insert(result.lines.end(), end.begin(), end.end());
     if (pages.size() > 1)
         result.lines.push_back(fmt::format("page {} of {}: {}", shown, pages.size(),
                                            shown < pages.size() ? "X goes on" : "X closes"));
@@ -221,15 +241,27 @@ ScreenPage page_of(const std::string& head, const std::vector<Entry>& entries, s
 
 ScreenPage screen_table(const Explanation& e, std::size_t measured, std::size_t letters,
                         std::size_t lines, std::size_t page) {
-    constexpr std::size_t kWide = 110; // letters: room for all columns and some of the last
+    constexpr std::size_t kWide = 110;  // letters: room for all columns and some of the last
+    constexpr std::size_t kNarrow = 56; // no room for any figures
     Columns shown;
     shown.fill(true);
     shown[kTimeColumn] = has_prices(e) || measured < e.rows.size();
     if (letters < kWide) shown[5] = shown[6] = false; // FLIP, pixels
-    const std::vector<Line> table = table_of(e.rows, shown);
+    if (letters < kNarrow) shown.fill(false);
+    std::vector<EffectRow> running;
+    std::vector<std::string> off;
+    for (const EffectRow& row : e.rows) {
+        if (folds(row.decision) && row.refusal.empty())
+            off.push_back(row.decision.effect);
+        else
+            running.push_back(row);
+    }
+    const std::vector<Line> table = table_of(running, shown);
     std::vector<Entry> entries;
     for (std::size_t i = 1; i < table.size(); ++i)
         entries.push_back(entry_of(table[i], letters));
+    for (Entry& entry : folded(off, letters))
+        entries.push_back(std::move(entry));
     return page_of(table.front().figures + table.front().reason, entries,
                    measured < e.rows.size()
                        ? fmt::format("measured {} of {}", measured, e.rows.size())
@@ -240,7 +272,12 @@ ScreenPage screen_table(const Explanation& e, std::size_t measured, std::size_t 
 ScreenPage plan_lines(const frame::FramePlan& plan, bool times, std::size_t letters,
                       std::size_t lines, std::size_t page) {
     std::size_t effect = 0, runs = 0;
+    std::vector<std::string> off;
     for (const frame::Decision& d : plan.decisions) {
+        if (folds(d)) {
+            off.push_back(d.effect);
+            continue;
+        }
         effect = std::max(effect, d.effect.size());
         runs = std::max(runs, d.technique.size());
     }
@@ -249,8 +286,11 @@ ScreenPage plan_lines(const frame::FramePlan& plan, bool times, std::size_t lett
     };
     std::vector<Entry> entries;
     for (const frame::Decision& d : plan.decisions)
-        entries.push_back(entry_of(
-            line(d.effect, d.technique, d.because + (d.forced ? " (forced)" : "")), letters));
+        if (!folds(d))
+            entries.push_back(entry_of(
+                line(d.effect, d.technique, d.because + (d.forced ? " (forced)" : "")), letters));
+    for (Entry& entry : folded(off, letters))
+        entries.push_back(std::move(entry));
     const Line heads = line(kHeads[0], kHeads[1], std::string(kHeads.back()));
     return page_of(
         heads.figures + heads.reason, entries,

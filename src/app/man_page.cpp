@@ -81,6 +81,10 @@ constexpr std::string_view kFiles =
     ".TP\n\\fI~/.config/scanout/options\\fR\n"
     "options for every run: words as on the command line, a line or more; lines that begin with #\n"
     "are comments. A command leaves out those of other commands. The command line goes before it.\n"
+    ".TP\n\\fI~/.config/scanout/keys.toml\\fR\n"
+    "keys of the viewer: lines such as rotate_left = [\"Left\", \"A\"]; \\fBscanout list keys\\fR "
+    "names\n"
+    "actions and keys\n"
     ".TP\n\\fI~/.cache/scanout\\fR\n"
     "frontiers that \\fB\\-\\-budget\\fR and \\fB\\-\\-max\\-error\\fR measured\n";
 

@@ -311,6 +311,16 @@ constexpr std::array kOptions = std::to_array<Option>({
      "begin with the view that the file holds, if it is there, and write the last view into it"},
     {"no-pointer", 0, "", "", "", 0, 0, Group::display, kView,
      Switch([](Settings& s) -> bool& { return s.no_pointer; }), "draw no mouse pointer"},
+    {"keys", 0, "FILE", "", "", 0, 0, Group::display, kView,
+     Text([](Settings& s) -> std::string& { return s.keys; }),
+     "take keys from a TOML file, lines such as rotate_left = [\"Left\", \"A\"] (`list keys` names "
+     "the actions); before it ~/.config/scanout/keys.toml counts"},
+    {"nav", 0, "", "scanout blender f3d", "scanout", 0, 0, Group::display, kView,
+     Choice([](Settings& s, std::size_t i) { s.nav = static_cast<Nav>(i); }),
+     "keys and mouse as in another viewer"},
+    {"inertia", 0, "", "", "", 0, 0, Group::display, kView,
+     Switch([](Settings& s) -> bool& { return s.inertia; }),
+     "what a drag has turned goes on turning for a moment when the button goes up"},
     {"converge", 0, "", "auto on off", "auto", 0, 0, Group::display, kView,
      Choice([](Settings& s, std::size_t i) { s.converge = static_cast<Converge>(i); }),
      "when all is still, let the picture converge to what `render --reference` draws; auto: unless "
@@ -390,7 +400,8 @@ constexpr std::array kOptions = std::to_array<Option>({
 
     {"no-config", 0, "", "", "", 0, 0, Group::general, kAll,
      Switch([](Settings& s) -> bool& { return s.no_config; }),
-     "leave out the options of ~/.config/scanout/options and of SCANOUT_OPTIONS"},
+     "leave out the options of ~/.config/scanout/options and of SCANOUT_OPTIONS, and the keys of "
+     "~/.config/scanout/keys.toml"},
     {"verbose", 'v', "", "", "", 0, 0, Group::general, kAll,
      Switch([](Settings& s) -> bool& { return s.verbose; }), "say more on standard error"},
     {"quiet", 'q', "", "", "", 0, 0, Group::general, kAll,

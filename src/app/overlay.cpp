@@ -1,14 +1,11 @@
 #include "app/overlay.h"
 
 #include "app/accuracy_overlay.h"
-#include "app/actions.h"
 #include "app/mark.h"
 #include "app/text.h"
 #include "app/text_block.h"
 
 #include <algorithm>
-
-#include <fmt/format.h>
 
 namespace scanout::app {
 namespace {
@@ -19,15 +16,38 @@ void draw_in_the_middle(image::Image& picture, const std::vector<std::string>& l
                std::max(0, (picture.height() - block.height) / 2), scale);
 }
 
-// A message of one line is not broken, but cut at the picture's edge: it must not cover the model.
-std::vector<std::string> message_lines(const std::string& message, std::size_t letters) {
+// Each line of the message, broken where it is too long.
+std::vector<std::string> message_lines(std::string_view message, std::size_t letters) {
     std::vector<std::string> lines;
-    const std::size_t end = message.find('\n');
-    lines.push_back(message.substr(0, end));
-    if (end == std::string::npos) return lines;
-    for (std::string& line : broken_into_lines(message.substr(end + 1), letters))
-        lines.push_back(std::move(line));
+    while (!message.empty()) {
+        const std::size_t end = std::min(message.find('\n'), message.size());
+        for (std::string& line : broken_into_lines(message.substr(0, end), letters))
+            lines.push_back(std::move(line));
+        message.remove_prefix(std::min(end + 1, message.size()));
+    }
     return lines;
+}
+
+// The information, and under it the page that is open. The first line of each is its heading.
+void draw_left(image::Image& picture, const Overlay& overlay, int scale) {
+    const std::size_t letters = letters_across(picture.width(), picture.height());
+    std::vector<std::string> lines;
+    std::vector<std::size_t> heads;
+    for (const auto* const block :
+         {&overlay.info, &overlay.explain, &overlay.doctor, &overlay.warnings}) {
+        if (block->empty()) continue;
+        if (!lines.empty()) lines.emplace_back();
+        heads.push_back(lines.size());
+        for (const std::string& line : *block) {
+            if (text_width(line) <= static_cast<int>(letters) * kGlyphWidth) { // also an empty one
+                lines.push_back(line);
+                continue;
+            }
+            for (std::string& part : broken_into_lines(line, letters))
+                lines.push_back(std::move(part));
+        }
+    }
+    if (!lines.empty()) draw_block_with_heads(picture, lines, heads, 0, 0, scale);
 }
 
 // What keys open beside the information; nothing is made for what is closed.
@@ -48,16 +68,6 @@ void draw_panels(image::Image& picture, const Overlay& overlay, int scale) {
 
 } // namespace
 
-std::vector<std::string> help_sheet(const ViewerState& state) {
-    std::vector<std::string> lines;
-    for (const ActionRow& row : action_rows()) {
-        if (row.sheet.empty()) continue;
-        const std::string now = row.state != nullptr ? row.state(state) : std::string();
-        lines.push_back(fmt::format("{:<18} {:<26} {}", row.sheet, row.help, now));
-    }
-    return lines;
-}
-
 std::size_t letters_across(int width, int height) {
     const int scale = text_scale(width, height);
     return static_cast<std::size_t>(
@@ -77,10 +87,7 @@ void draw_overlay(image::Image& picture, const Overlay& overlay) {
     if (overlay.measured) draw_measured(picture, *overlay.measured, scale);
     if (overlay.mark) draw_mark(picture, *overlay.mark, scale);
     // The help sheet shows all states, and takes the room of the other lines.
-    std::vector<std::string> left = overlay.info;
-    left.insert(left.end(), overlay.explain.begin(), overlay.explain.end());
-    left.insert(left.end(), overlay.doctor.begin(), overlay.doctor.end());
-    if (!left.empty() && overlay.help.empty()) draw_block(picture, left, 0, 0, scale);
+    if (overlay.help.empty()) draw_left(picture, overlay, scale);
     if (!overlay.message.empty()) {
         const std::vector<std::string> lines =
             message_lines(overlay.message, letters_across(picture.width(), picture.height()));
@@ -88,7 +95,7 @@ void draw_overlay(image::Image& picture, const Overlay& overlay) {
     }
     if (overlay.help.empty()) draw_panels(picture, overlay, scale);
     if (!overlay.notice.empty()) draw_in_the_middle(picture, overlay.notice, scale);
-    if (!overlay.help.empty()) draw_in_the_middle(picture, overlay.help, scale);
+    if (!overlay.help.empty()) draw_help(picture, overlay.help, scale);
 }
 
 } // namespace scanout::app

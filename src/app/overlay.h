@@ -4,6 +4,7 @@
 
 #include "app/frontier_panel.h"
 #include "app/measurement.h"
+#include "app/overlay/help_sheet.h"
 #include "app/pixel_place.h"
 #include "app/viewer_state.h"
 #include "image/image.h"
@@ -29,11 +30,11 @@ struct SplitLine {
 };
 
 struct Overlay {
-    std::vector<std::string> help;    // the sheet's lines; empty: closed
-    std::vector<std::string> info;    // lines at the upper left
-    std::vector<std::string> explain; // lines under them
-    std::vector<std::string> doctor;  // lines in their place
-    std::optional<PixelPlace> mark;   // of the place that they are about
+    HelpPage help;                             // empty: closed
+    std::vector<std::string> info;             // lines at the upper left
+    std::vector<std::string> explain;          // lines under them
+    std::vector<std::string> doctor, warnings; // lines in their place
+    std::optional<PixelPlace> mark;            // of the place that they are about
     std::optional<MeasuredMarks> measured;
     std::string message;             // a line at the lower left; after \n more, as long as it takes
     std::vector<std::string> notice; // lines in the middle: loading, errors
@@ -42,9 +43,6 @@ struct Overlay {
     std::optional<FrontierPanel> frontier; // at the upper right
     friend bool operator==(const Overlay&, const Overlay&) = default;
 };
-
-// The help sheet from the table of actions: keys, their effects, and the present states.
-std::vector<std::string> help_sheet(const ViewerState& state);
 
 // How many letters fit side by side in a picture of this size.
 std::size_t letters_across(int width, int height);

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 namespace scanout::app {
-namespace {
 
 std::vector<std::string> info_lines(const Viewer& viewer, const ModelSlot& slot,
                                     const Settings& settings) {
@@ -16,14 +15,17 @@ std::vector<std::string> info_lines(const Viewer& viewer, const ModelSlot& slot,
     lines.push_back(fmt::format("{}  ({} of {})", file_name_of(path), state.file + 1,
                                 settings.arguments.size()));
     if (const LoadedModel* const model = slot.model())
-        lines.push_back(fmt::format("{} triangles  {} vertices  {} warnings  {}x{}",
-                                    model->scene.counts.triangles, model->scene.counts.vertices,
-                                    model->warnings.size(), viewer.width(), viewer.height()));
+        lines.push_back(fmt::format(
+            "{} triangles  {} vertices  {} warnings{}  {}x{}", model->scene.counts.triangles,
+            model->scene.counts.vertices, model->warnings.size(),
+            model->warnings.empty() ? "" : " (Shift+I)", viewer.width(), viewer.height()));
     lines.push_back(fmt::format("{}  up {}  cull {}  {} mode", name_of(state.look.projection),
                                 name_of(state.look.up), name_of(state.look.cull),
                                 state.camera_mode ? "camera" : "model"));
     return lines;
 }
+
+namespace {
 
 // What a key can do about a picture that shows nothing.
 const char* hint_at(frame::Blank why) {
@@ -53,10 +55,14 @@ const char* hint_at(frame::Blank why) {
 } // namespace
 
 Overlay overlay_text(const Viewer& viewer, const ModelSlot& slot, const Settings& settings,
-                     const std::string& message) {
+                     const std::string& message, const KeyMap& keys) {
     const std::size_t letters = letters_across(viewer.width(), viewer.height());
     Overlay overlay;
-    if (viewer.state().help) overlay.help = help_sheet(viewer.state());
+    if (const int page = viewer.state().help; page > 0) {
+        std::vector<HelpPage> pages = help_pages(help_sheet(viewer.state(), keys), letters,
+                                                 lines_down(viewer.width(), viewer.height()));
+        overlay.help = std::move(pages[std::min(static_cast<std::size_t>(page), pages.size()) - 1]);
+    }
     overlay.message = message;
     if (message.empty() && slot.mesh() != nullptr)
         overlay.message = viewer.light_line(*slot.mesh(), letters);

@@ -16,8 +16,10 @@ namespace scanout::app {
 
 // Help, information, error and message; the plan's lines come from live_explain.h. `message` is
 // shown if there is one, else the line of the light that is selected.
+std::vector<std::string> info_lines(const Viewer& viewer, const ModelSlot& slot,
+                                    const Settings& settings);
 Overlay overlay_text(const Viewer& viewer, const ModelSlot& slot, const Settings& settings,
-                     const std::string& message);
+                     const std::string& message, const KeyMap& keys);
 
 // Adds the lines that depend on the frame that is being shown.
 struct FrameFacts {

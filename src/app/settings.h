@@ -50,6 +50,8 @@ enum class Metric : std::uint8_t { none, rmse, rmse_codes, psnr, max, flip, ssim
 // Whether the viewer's picture converges to the reference when all is still; automatic: unless the
 // user named a rung, which is then what stays on show.
 enum class Converge : std::uint8_t { automatic, on, off };
+// Whose keys and mouse the viewer has.
+enum class Nav : std::uint8_t { scanout, blender, f3d };
 enum class Backend : std::uint8_t { automatic, drm, fbdev, headless };
 
 // An option as it stood on the command line.
@@ -134,6 +136,9 @@ struct Settings {
     std::string like, state; // files of views (view_file.h)
     bool watch = false;      // the shown file is read again when it changes
     bool no_pointer = false, no_times = false;
+    std::string keys; // the file
+    Nav nav = Nav::scanout;
+    bool inertia = false; // what was turned by the mouse goes on for a while
     Converge converge = Converge::automatic;
 
     std::vector<std::string> axes; // of frontier; empty: all

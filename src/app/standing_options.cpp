@@ -81,13 +81,21 @@ Result<StandingPlace> read_options_file(const std::string& path) {
 
 } // namespace
 
-std::string standing_options_file() {
-    const auto from = [](const char* variable, const char* below) {
+static std::string in_config_folder(const std::string& name) {
+    const auto from = [](const char* variable, const std::string& below) {
         const char* const folder = std::getenv(variable);
-        return folder != nullptr && folder[0] == '/' ? std::string(folder) + below : std::string();
+        return folder != nullptr && folder[0] == '/' ? folder + below : std::string();
     };
-    const std::string path = from("XDG_CONFIG_HOME", "/scanout/options");
-    return path.empty() ? from("HOME", "/.config/scanout/options") : path;
+    const std::string path = from("XDG_CONFIG_HOME", "/scanout/" + name);
+    return path.empty() ? from("HOME", "/.config/scanout/" + name) : path;
+}
+
+std::string standing_options_file() {
+    return in_config_folder("options");
+}
+
+std::string standing_keys_file() {
+    return in_config_folder("keys.toml");
 }
 
 Result<std::vector<std::string>> split_words(std::string_view text) {

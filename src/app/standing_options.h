@@ -26,6 +26,8 @@ Result<std::vector<StandingPlace>> read_standing_options();
 // $XDG_CONFIG_HOME/scanout/options, else ~/.config/scanout/options; empty: no home.
 std::string standing_options_file();
 
+std::string standing_keys_file(); // keys.toml beside it
+
 // Words as a shell splits them: blanks part them, quotes of either kind hold blanks together.
 // Nothing is expanded. Error: the second half of a line.
 Result<std::vector<std::string>> split_words(std::string_view text);

@@ -7,7 +7,8 @@
 namespace scanout::app {
 
 int text_scale(int width, int height) {
-    return std::max(1, std::min(width / 640, height / 480) / 2);
+    constexpr int kHeight = 540, kWidth = 360; // pixels of a picture for each step
+    return std::max(1, std::min((height + kHeight / 2) / kHeight, width / kWidth));
 }
 
 TextBlock block_of(const std::vector<std::string>& lines, int scale) {
@@ -44,6 +45,15 @@ void draw_block(image::Image& picture, const std::vector<std::string>& lines, in
     const TextBlock block = block_of(lines, scale);
     draw_panel(picture, {x, y, x + block.width, y + block.height}, kBlockPanel);
     draw_lines(picture, lines, x + kBlockMargin * scale, y + kBlockMargin * scale, scale);
+}
+
+void draw_block_with_heads(image::Image& picture, const std::vector<std::string>& lines,
+                           const std::vector<std::size_t>& heads, int x, int y, int scale) {
+    draw_block(picture, lines, x, y, scale);
+    for (const std::size_t head : heads)
+        draw_text(picture, x + kBlockMargin * scale,
+                  y + (kBlockMargin + static_cast<int>(head) * kGlyphHeight) * scale, lines[head],
+                  kBlockAccent, scale);
 }
 
 } // namespace scanout::app

@@ -34,20 +34,38 @@ std::string quoted(const std::string& word) {
 }
 
 bool says_the_view(std::string_view option) {
-    constexpr std::array<std::string_view, 10> kWritten = {
-        "size",    "cull",    "colour-by", "edges",  "annotate",
-        "section", "measure", "scale",     "rotate", "translate"};
-    return std::find(kWritten.begin(), kWritten.end(), option) != kWritten.end();
+    constexpr std::array<std::string_view, 12> kWritten = {
+        "size",    "cull",  "colour-by", "edges",     "annotate", "section",
+        "measure", "scale", "rotate",    "translate", "exposure", "background"};
+    return std::find(kWritten.begin(), kWritten.end(), option) != kWritten.end() ||
+           std::find(kSwitchedAxes.begin(), kSwitchedAxes.end(), option) != kSwitchedAxes.end();
+}
+
+// What is drawn otherwise than where nobody asks for anything.
+std::string rendering_options(const Rendering& rendering) {
+    const Rendering plain = rendering_of(Settings().frame);
+    std::string text;
+    for (std::size_t i = 0; i < kSwitchedAxes.size(); ++i)
+        if (!frame::is_auto(rendering.asked[i]))
+            text += fmt::format(" --{} {}", frame::option_of(kSwitchedAxes[i]), rendering.asked[i]);
+    if (rendering.exposure != plain.exposure)
+        text += fmt::format(" --exposure {}", number(rendering.exposure));
+    if (!(rendering.background == plain.background))
+        text += fmt::format(" --background {}", quoted(background_text(rendering.background)));
+    return text;
 }
 
 // What the user gave that changes the picture, and that the view's own options do not say.
-std::string given_options(const Settings& settings) {
+std::string given_options(const Settings& settings, const Rendering& rendering) {
+    static_assert(kSwitchedAxes[1] == "aa");
+    const bool names_aa = !frame::is_auto(rendering.asked[1]);
     std::string text;
     for (const GivenOption& given : settings.given) {
         const auto option = std::find_if(options().begin(), options().end(), [&](const Option& o) {
             return o.name == given.name && belongs(o, Command::render);
         });
         if (option == options().end() || says_the_view(option->name)) continue;
+        if (option->name == "samples" && names_aa) continue; // two ways to ask for the same
         if (option->group != Group::picture && option->group != Group::model &&
             option->name != "pixel-format")
             continue;
@@ -100,6 +118,24 @@ scene::CameraOptions camera_of(const scene::View& view, const DMat3& to_view,
     return camera;
 }
 
+// A camera that flies stands anywhere: it is said by eye and target, in the file's coordinates.
+void put_flight(const scene::View& view, const geom::Mesh& mesh, scene::CameraOptions& camera) {
+    const DMat3 to_file = transpose(view.world_axes);
+    const double unit = 1 / scene::radii_per_unit(mesh);
+    const DVec3 eye = to_file * -view.world_origin;
+    camera.eye = mesh.centre + eye * unit;
+    camera.target = mesh.centre + (eye + to_file * DVec3(0, 0, -view.target_distance)) * unit;
+    camera.shift = DVec2(0);
+}
+
+std::string place_options(const scene::CameraOptions& camera) {
+    const auto exact = [](const DVec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
+    if (camera.eye)
+        return fmt::format("--eye {} --look-at {}", exact(*camera.eye), exact(*camera.target));
+    return fmt::format("--camera {},{},{}", number(camera.azimuth_degrees),
+                       number(camera.elevation_degrees), number(camera.distance));
+}
+
 } // namespace
 
 std::string view_options(const Viewer& viewer, const Settings& settings, const geom::Mesh& mesh) {
@@ -107,22 +143,24 @@ std::string view_options(const Viewer& viewer, const Settings& settings, const g
     const Result<scene::View> now = viewer.view(mesh);
     if (!now) return {};
     const DMat3 up = scene::up_rotation(look.up);
-    const scene::CameraOptions camera =
+    scene::CameraOptions camera =
         camera_of(*now, now->world_axes * transpose(up), settings, look.up);
+    if (look.flies) put_flight(*now, mesh, camera);
     const Result<scene::View> plain =
         scene::make_view(mesh, {}, {}, camera, {}, viewer.width(), viewer.height());
     if (!plain) return {};
     const DMat3 to_world = up * transpose(plain->world_axes); // from view space
     scene::ModelTransform model = transform_of(
         to_world * now->linear * transpose(up) * double{mesh.radius}, settings.model.scale);
-    model.translate =
-        to_world * (now->translation + DVec3(camera.shift.x, camera.shift.y, camera.distance));
-    std::string text =
-        given_options(settings) +
-        fmt::format("--size {}x{} --camera {},{},{} --projection {} --up {} --cull {}",
-                    viewer.width(), viewer.height(), number(camera.azimuth_degrees),
-                    number(camera.elevation_degrees), number(camera.distance),
-                    name_of(look.projection), name_of(look.up), name_of(look.cull));
+    model.translate = look.flies
+                          ? to_world * (now->translation - plain->translation)
+                          : to_world * (now->translation +
+                                        DVec3(camera.shift.x, camera.shift.y, camera.distance));
+    std::string text = given_options(settings, look.rendering) +
+                       fmt::format("--size {}x{} {} --projection {} --up {} --cull {}",
+                                   viewer.width(), viewer.height(), place_options(camera),
+                                   name_of(look.projection), name_of(look.up), name_of(look.cull));
+    text += rendering_options(look.rendering);
     if (look.colour_by != "light") text += fmt::format(" --colour-by {}", look.colour_by);
     if (look.edges != "none") text += fmt::format(" --edges {}", look.edges);
     if (!look.annotations.empty())
@@ -135,7 +173,8 @@ std::string view_options(const Viewer& viewer, const Settings& settings, const g
     }
     if (camera.fov_degrees != scene::CameraOptions().fov_degrees)
         text += fmt::format(" --fov {}", number(camera.fov_degrees));
-    text += fmt::format(" --shift {},{}", number(camera.shift.x), number(camera.shift.y));
+    if (!look.flies)
+        text += fmt::format(" --shift {},{}", number(camera.shift.x), number(camera.shift.y));
     return text + fmt::format(" --scale {} --rotate {} --translate {}", triple(model.scale),
                               triple(model.rotate_degrees), triple(model.translate));
 }

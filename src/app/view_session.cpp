@@ -3,9 +3,11 @@
 #include "app/files.h"
 #include "app/message.h"
 #include "app/option_conflicts.h"
+#include "app/overlay/warnings_page.h"
 #include "app/overlay_text.h"
 #include "app/pick.h"
 #include "app/picture.h"
+#include "app/text_block.h"
 #include "app/view_command.h"
 #include "math/bits.h"
 
@@ -41,7 +43,7 @@ ViewSession::ViewSession(const Settings& settings, SessionParts parts,
       converges_(!steady_ && converges(settings)),
       viewer_(settings, parts_.display.info().width, parts_.display.info().height,
               static_cast<int>(settings.arguments.size())),
-      binder_(viewer_.width(), viewer_.height(), !settings.no_pointer),
+      binder_(viewer_.width(), viewer_.height(), !settings.no_pointer, std::move(parts_.keys)),
       script_(std::move(parts_.script)), accuracy_(steady_), renderer_(parts_.jobs),
       composer_(viewer_.width(), viewer_.height()), pacer_(parts_.display.info().refresh_hz),
       log_(settings, parts_.display.info()),
@@ -189,6 +191,7 @@ Result<void> ViewSession::take_input() {
         TRY_VOID(advance(std::chrono::steady_clock::now()));
     }
     std::vector<Action> actions;
+    binder_.set_flying(viewer_.state().look.flies);
     binder_.bind(events_, viewer_.step_number(), actions);
     const bool script_plays = script_.next_step().has_value();
     for (const Action& action : actions) {
@@ -205,8 +208,7 @@ Result<void> ViewSession::take(const Action& action) {
     if (!script_.has_script()) log_.took(fmt::format("{} {}", timed.step, to_text(action)));
     if (parts_.recorder && action.id != ActionId::suspend) TRY_VOID(parts_.recorder->write(timed));
     if (action.id != ActionId::pointer) message_.hide();
-    if (action.id == ActionId::toggle_explain)
-        viewer_.set_explain_pages(static_cast<int>(explain_page().pages));
+    viewer_.set_pages(pages_for(action.id));
     if (action.id == ActionId::toggle_doctor) examine();
     if (action.id == ActionId::cull_next && !steady_) return change_culling(action);
     const Effect effect = viewer_.apply(action, slot_.mesh());
@@ -220,6 +222,8 @@ Result<void> ViewSession::take(const Action& action) {
         return load(true);
     case Effect::screenshot:
         return write_screenshot();
+    case Effect::rendering:
+        return follow_switch(action);
     case Effect::rung_down:
         step_rung(-1);
         break;
@@ -293,8 +297,9 @@ std::string ViewSession::options() const {
     if (slot_.model() == nullptr) return {};
     const std::string view = view_options(viewer_, settings_, *slot_.mesh());
     const measure::KnownPoint* const point = chosen_point();
-    if (view.empty() || point == nullptr || point->rungs.empty()) return view;
-    return view + " " + point->options();
+    if (view.empty() || point == nullptr) return view;
+    const std::string rungs = measure::options_of(counting_rungs(*point));
+    return rungs.empty() ? view : view + " " + rungs;
 }
 
 std::string ViewSession::command() const {
@@ -333,10 +338,42 @@ Result<const frame::FramePlan*> ViewSession::plan(int level) {
     return slot_.plan(frame_options_, view ? *view : scene::View());
 }
 
+// How many pages the panel that the action opens has.
+Viewer::Pages ViewSession::pages_for(ActionId id) {
+    Viewer::Pages pages;
+    if (id == ActionId::toggle_help)
+        pages.help = static_cast<int>(help_pages(help_sheet(viewer_.state(), binder_.keys()),
+                                                 letters_across(viewer_.width(), viewer_.height()),
+                                                 lines_down(viewer_.width(), viewer_.height()))
+                                          .size());
+    if (id == ActionId::toggle_explain) pages.explain = static_cast<int>(explain_page().pages);
+    if (id == ActionId::toggle_warnings) pages.warnings = static_cast<int>(warnings().pages);
+    return pages;
+}
+
+// The lines that fit under the information, which a small screen leaves out where a page is open.
 std::size_t ViewSession::panel_lines() const {
-    const std::size_t others = viewer_.state().info ? 5 : 1;
     const std::size_t all = lines_down(viewer_.width(), viewer_.height());
+    if (!shows_info()) return all > 1 ? all - 1 : 1;
+    constexpr std::size_t kFigures = 4; // lines of times and accuracy, and an empty one
+    const std::size_t letters = letters_across(viewer_.width(), viewer_.height());
+    std::size_t others = kFigures;
+    for (const std::string& line : info_lines(viewer_, slot_, settings_))
+        others += broken_into_lines(line, letters).size();
     return all > others ? all - others : 1;
+}
+
+bool ViewSession::shows_info() const {
+    constexpr std::size_t kRoomForBoth = 20; // lines
+    const ViewerState& state = viewer_.state();
+    const bool page = state.explain > 0 || state.doctor > 0 || state.warnings > 0;
+    return state.info && (!page || lines_down(viewer_.width(), viewer_.height()) >= kRoomForBoth);
+}
+
+ScreenPage ViewSession::warnings() const {
+    if (slot_.model() == nullptr) return {};
+    return warnings_page(slot_.model()->warnings, letters_across(viewer_.width(), viewer_.height()),
+                         panel_lines(), static_cast<std::size_t>(viewer_.state().warnings));
 }
 
 // The page of the plan that is open, or the first.

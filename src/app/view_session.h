@@ -52,6 +52,7 @@ struct SessionParts {
     bool instant = false;
     // What a frame takes now, of CPU time, ms; empty: it is timed.
     std::function<double(const frame::FramePlan&)> time_now = {};
+    KeyMap keys = KeyMap::standard();
 };
 
 class ViewSession {
@@ -116,7 +117,10 @@ private:
     PictureKey key() const;
     Result<const frame::FramePlan*> plan(int level = 0);
     ScreenPage explain_page();
-    std::size_t panel_lines() const; // that fit under the information
+    Viewer::Pages pages_for(ActionId id);
+    bool shows_info() const;
+    std::size_t panel_lines() const;
+    ScreenPage warnings() const;
     bool lacks_rows() const;
     bool wants_row();
     Result<void> measure_row();
@@ -138,6 +142,8 @@ private:
     void refuse_frontier(const std::string& why);
     void put_frontier(measure::KnownFrontier frontier);
     FrontierPanel frontier_panel() const;
+    Result<void> follow_switch(const Action& action); // switches/view_session_switches.cpp
+    std::vector<measure::Rung> counting_rungs(const measure::KnownPoint& point) const;
     double budget_ms() const; // of a frame while something moves
     // Whose rungs are drawn, by keys or else by limits; null: as asked for.
     const measure::KnownPoint* chosen_point() const;

@@ -6,6 +6,7 @@
 #include "measure/ladder.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace scanout::app {
@@ -27,7 +28,13 @@ AccuracyView::Asked ViewSession::asked() const {
     const Look& look = state.look;
     const bool annotated =
         look.edges != "none" || look.colour_by != "light" || !look.annotations.empty();
-    const bool kept = settings_.converge == Converge::automatic && (chosen || annotated);
+    // So are techniques that keys switched; the reference has the tone curve that is drawn.
+    const std::array<std::string, kSwitchedAxes.size()>& named = look.rendering.asked;
+    bool switched = false;
+    for (std::size_t i = 0; i < named.size(); ++i)
+        switched = switched || (kSwitchedAxes[i] != "tone" && !frame::is_auto(named[i]));
+    const bool kept =
+        settings_.converge == Converge::automatic && (chosen || annotated || switched);
     return {converges_ && !kept, state.error_map, state.split, state.split_x};
 }
 

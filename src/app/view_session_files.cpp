@@ -160,7 +160,7 @@ bool ViewSession::wants_to_leave() {
     if (!parts_.input.dispatch(events_)) return true;
     for (const port::Event& event : events_) {
         const auto action = event.kind == port::EventKind::key && event.pressed
-                                ? bound_to(event)
+                                ? binder_.keys().find(event)
                                 : std::optional<ActionId>();
         if (event.kind == port::EventKind::quit || action == ActionId::quit ||
             action == ActionId::close)

@@ -3,9 +3,11 @@
 #include "app/overlay_text.h"
 #include "app/picture.h"
 #include "app/view_session.h"
+#include "base/check.h"
 #include "base/stopwatch.h"
 #include "frame/catalogue.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace scanout::app {
@@ -45,8 +47,10 @@ ViewSession::Shown ViewSession::wanted() {
 }
 
 Overlay ViewSession::overlay() {
-    Overlay overlay = overlay_text(viewer_, slot_, settings_, message_.text());
+    Overlay overlay = overlay_text(viewer_, slot_, settings_, message_.text(), binder_.keys());
+    if (!shows_info()) overlay.info.clear();
     if (viewer_.state().explain > 0) overlay.explain = explain_page().lines;
+    if (viewer_.state().warnings > 0) overlay.warnings = warnings().lines;
     if (slot_.model() == nullptr) return overlay;
     if (const auto points = viewer_.measured(); !points.empty()) {
         if (const Result<scene::View> view = viewer_.view(*slot_.mesh()))
@@ -65,7 +69,7 @@ Overlay ViewSession::overlay() {
     if (viewer_.state().frontier) overlay.frontier = frontier_panel();
     if (viewer_.state().split) overlay.split = accuracy_.split_line(key(), asked());
     if (const std::string line = accuracy_.line(key(), asked());
-        viewer_.state().info && !line.empty())
+        !overlay.info.empty() && !line.empty())
         overlay.info.push_back(line);
     return overlay;
 }
@@ -77,6 +81,7 @@ void ViewSession::put_asked_frame_options(frame::FrameOptions& out) const {
     out.bits = image::min_bits(parts_.display.info().format);
     out.cull = viewer_.state().look.cull;
     out.annotations = viewer_.state().look.annotations;
+    put(viewer_.state().look.rendering, out);
     const auto asked = [](std::string_view axis, const std::string& technique) {
         return technique == frame::first_on(axis) ? "auto" : technique;
     };
@@ -88,7 +93,9 @@ void ViewSession::put_asked_frame_options(frame::FrameOptions& out) const {
 void ViewSession::set_frame_options(int level) {
     put_asked_frame_options(frame_options_);
     if (const measure::KnownPoint* const point = chosen_point())
-        frame_options_ = measure::with(std::move(frame_options_), point->rungs);
+        for (const measure::Rung& rung : point->rungs)
+            if (!counts_before_rung(viewer_.state().look.rendering, rung.axis))
+                CHECK(frame::ask(frame_options_, rung.axis, rung.technique));
     if (level == 0) return;
     const MotionLevel& saving = levels_[static_cast<std::size_t>(level)];
     if (saving.one_sample) frame_options_.samples = 1;
@@ -97,6 +104,9 @@ void ViewSession::set_frame_options(int level) {
 
 Result<void> ViewSession::render(int level) {
     follow_section();
+    if (const image::Rgba8 colour = viewer_.state().look.rendering.background;
+        !(background_.at(0, 0) == colour))
+        std::fill(background_.pixels().begin(), background_.pixels().end(), colour);
     if (slot_.model() == nullptr) {
         blank_.reset();
         picture_ = &background_;

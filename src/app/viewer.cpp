@@ -14,10 +14,16 @@ namespace {
 
 constexpr int kRotateStep = 5 * scene::kAngleUnitsPerDegree;
 constexpr std::int64_t kMoveStep = scene::kPanUnitsPerRadius / 16;
-constexpr int kClickPixels = 2; // a hand that clicks does not stand still
-constexpr int kSlideStep = 8;   // levels: fifty steps go through the model
-constexpr int kZoomStep = 8;    // levels: eight steps double the size
+constexpr int kClickPixels = 2;    // a hand that clicks does not stand still
+constexpr int kSlideStep = 8;      // levels: fifty steps go through the model
+constexpr int kZoomStep = 8;       // levels: eight steps double the size
+constexpr int kOctavesOfADrag = 4; // of scale, from the picture's bottom to its top
 constexpr std::size_t kHistory = 256;
+
+// The page after this one; after the last one, none.
+int next_page(int page, int pages) {
+    return page < pages ? page + 1 : 0;
+}
 
 // The split line moves by this much, and is taken by a pointer no farther away than that.
 int split_step(int width) {
@@ -58,7 +64,7 @@ scene::Orbit turned_alone(const scene::Orbit& orbit) {
 
 Viewer::Viewer(const Settings& settings, int width, int height, int files)
     : model_(settings.model), camera_(settings.camera), lights_(settings.frame.lights),
-      width_(width), height_(height), files_(files) {
+      width_(width), height_(height), files_(files), inertia_(settings.inertia) {
     start_.projection = camera_.projection;
     start_.up = camera_.up;
     start_.cull = settings.frame.cull;
@@ -69,6 +75,7 @@ Viewer::Viewer(const Settings& settings, int width, int height, int files)
     state_.measuring = !settings.measured.empty();
     for (const DVec3& point : settings.measured)
         take_point(point);
+    start_.rendering = rendering_of(settings.frame);
     CHECK(lights_.size() <= start_.lights.size()); // add_light() takes no more
     state_.look = start_;
     state_.pointer.x = width / 2;
@@ -84,6 +91,9 @@ void Viewer::take_up_of_file(scene::UpAxis up) {
 void Viewer::take_file(bool again) {
     fits_.clear();
     if (again) return;
+    state_.look.flight = {};
+    state_.look.flies = false;
+    state_.look.stretch = {};
     state_.look.pose = turned_alone(state_.look.pose);
     state_.look.orbit = turned_alone(state_.look.orbit);
 }
@@ -108,8 +118,8 @@ const scene::CameraOptions& Viewer::fitted_camera(const geom::Mesh& mesh) const 
 }
 
 Result<scene::View> Viewer::view(const geom::Mesh& mesh) const {
-    return scene::make_view(mesh, model_, state_.look.pose, fitted_camera(mesh), state_.look.orbit,
-                            width_, height_);
+    return scene::make_view(mesh, model(), state_.look.pose, fitted_camera(mesh), state_.look.orbit,
+                            width_, height_, state_.look.flight);
 }
 
 Effect Viewer::apply(const Action& action, const geom::Mesh* mesh) {
@@ -120,6 +130,7 @@ Effect Viewer::apply(const Action& action, const geom::Mesh* mesh) {
 }
 
 Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
+    stop_spin(action.id);
     switch (action.id) {
     case ActionId::previous_file:
         return change_file(-1);
@@ -128,12 +139,19 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
     case ActionId::toggle_drive:
         state_.camera_mode = !state_.camera_mode;
         return Effect::none;
+    case ActionId::scale_axis_next:
+        state_.scale_axis = state_.scale_axis < 2 ? state_.scale_axis + 1 : -1;
+        return Effect::none;
     case ActionId::toggle_info:
         state_.info = !state_.info;
         return Effect::none;
     case ActionId::toggle_explain:
-        state_.explain = state_.explain < explain_pages_ ? state_.explain + 1 : 0;
-        state_.doctor = 0;
+        state_.explain = next_page(state_.explain, pages_.explain);
+        state_.doctor = state_.warnings = 0;
+        return Effect::none;
+    case ActionId::toggle_warnings:
+        state_.warnings = next_page(state_.warnings, pages_.warnings);
+        state_.doctor = state_.explain = 0;
         return Effect::none;
     case ActionId::toggle_doctor:
         next_hazard(mesh);
@@ -143,9 +161,11 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
         return Effect::none;
     case ActionId::rung_down:
         state_.frontier = true;
+        state_.look.rendering.over_rungs = 0; // what is touched last counts
         return Effect::rung_down;
     case ActionId::rung_up:
         state_.frontier = true;
+        state_.look.rendering.over_rungs = 0;
         return Effect::rung_up;
     case ActionId::toggle_split:
         state_.split = !state_.split;
@@ -157,20 +177,24 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
         put_split(state_.split_x + split_step(width_));
         return Effect::none;
     case ActionId::toggle_help:
-        state_.help = !state_.help;
+        state_.help = next_page(state_.help, pages_.help);
         return Effect::none;
     case ActionId::light_next:
         next_light();
         return Effect::none;
     case ActionId::close:
-        if (state_.help)
-            state_.help = false;
+        if (state_.help > 0)
+            state_.help = 0;
         else if (moves_light())
             state_.light = -1;
         else if (state_.measuring)
             stop_measuring();
+        else if (state_.look.flies)
+            return carry_out({ActionId::toggle_fly, {}, {}, false}, mesh);
         else if (state_.explain > 0)
             state_.explain = 0;
+        else if (state_.warnings > 0)
+            state_.warnings = 0;
         else if (state_.frontier)
             state_.frontier = false;
         else if (state_.doctor > 0)
@@ -198,10 +222,12 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
     case ActionId::drag_rotate:
     case ActionId::drag_move:
     case ActionId::drag_roll:
+    case ActionId::drag_zoom:
         drag(action, mesh);
         return Effect::none;
     case ActionId::drag_end: {
         const bool click = drag_ && !drag_->split_x && drag_->farthest <= kClickPixels;
+        throw_off();
         drag_.reset();
         return click && state_.measuring ? Effect::pick : Effect::none;
     }
@@ -228,9 +254,10 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
         break;
     }
     const Look before = state_.look;
-    change_look(action, mesh);
+    const bool switched = switch_rendering(action.id);
+    if (!switched && !fly(action, mesh)) change_look(action, mesh);
     if (!action.repeated && !(state_.look == before)) remember(before);
-    return Effect::none;
+    return switched ? Effect::rendering : Effect::none;
 }
 
 void Viewer::stop_measuring() {
@@ -270,9 +297,13 @@ void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
     case ActionId::move_down:
         return move(0, -kMoveStep);
     case ActionId::scale_up:
-        return moves_light() ? brighten(kZoomStep) : zoom(kZoomStep);
+        return moves_light() ? brighten(kZoomStep) : scale(kZoomStep);
     case ActionId::scale_down:
-        return moves_light() ? brighten(-kZoomStep) : zoom(-kZoomStep);
+        return moves_light() ? brighten(-kZoomStep) : scale(-kZoomStep);
+    case ActionId::move_far:
+        return move_in_depth(-kMoveStep);
+    case ActionId::move_near:
+        return move_in_depth(kMoveStep);
     case ActionId::roll_left:
         roll = scene::wrap_angle(roll + kRotateStep);
         return;
@@ -387,6 +418,30 @@ void Viewer::move(std::int64_t right, std::int64_t up) {
     y = moved(y, static_cast<double>(up));
 }
 
+// The model comes towards the eye, or the camera towards what it looks at.
+void Viewer::move_in_depth(std::int64_t near) {
+    Look& look = state_.look;
+    if (state_.camera_mode)
+        look.orbit.pan_z = moved(look.orbit.pan_z, -static_cast<double>(near));
+    else
+        look.pose.pan_z = moved(look.pose.pan_z, static_cast<double>(near));
+}
+
+scene::ModelTransform Viewer::model() const {
+    scene::ModelTransform model = model_;
+    for (int axis = 0; axis < 3; ++axis)
+        if (const int levels = state_.look.stretch[static_cast<std::size_t>(axis)]; levels != 0)
+            model.scale[axis] *= scene::zoom_scale(levels);
+    return model;
+}
+
+// Along the axis that is chosen, or along all.
+void Viewer::scale(int levels) {
+    if (state_.scale_axis < 0) return zoom(levels);
+    int& stretch = state_.look.stretch[static_cast<std::size_t>(state_.scale_axis)];
+    stretch = scene::clamp_zoom(std::int64_t{stretch} + levels);
+}
+
 void Viewer::zoom(int levels) {
     int& level = state_.camera_mode ? state_.look.orbit.zoom : state_.look.pose.zoom;
     level = scene::clamp_zoom(std::int64_t{level} + levels);
@@ -398,6 +453,8 @@ void Viewer::look_from(int view) {
     look.view = view;
     look.pose = {};
     look.orbit = {};
+    look.flight = {};
+    look.flies = false;
 }
 
 // The orbit adds to the camera's own elevation; together they stop at the poles.
@@ -424,18 +481,33 @@ void Viewer::begin_drag(const geom::Mesh* mesh) {
     const Result<scene::View> now = mesh != nullptr ? view(*mesh) : fail(Exit::usage, "no model");
     const bool line =
         state_.split && std::abs(state_.pointer.x - state_.split_x) <= split_step(width_);
-    drag_ = Drag{state_.look, false, line ? std::optional(state_.split_x) : std::nullopt,
-                 now ? scene::world_units_per_pixel(*now, height_) : 0};
+    drag_ = Drag{state_.look,
+                 false,
+                 line ? std::optional(state_.split_x) : std::nullopt,
+                 now ? scene::world_units_per_pixel(*now, height_) : 0,
+                 false,
+                 {step_, 0, 0},
+                 {step_, 0, 0},
+                 0};
 }
 
 void Viewer::drag(const Action& action, const geom::Mesh* mesh) {
     if (!drag_) begin_drag(mesh);
     if (drag_->split_x) return put_split(std::int64_t{*drag_->split_x} + action.numbers[0]);
-    const Look& start = drag_->start;
-    Look& look = state_.look;
     const auto [dx, dy, unused] = action.numbers;
     drag_->farthest = std::max({drag_->farthest, std::abs(dx), std::abs(dy)});
-    if (action.id == ActionId::drag_move) {
+    const Look& start = drag_->start;
+    Look& look = state_.look;
+    if (look.flies && !moves_light()) {
+        if (mesh != nullptr) drag_flight(action, *mesh);
+        return remember_drag();
+    }
+    if (action.id == ActionId::drag_zoom) {
+        const std::int64_t levels =
+            -std::int64_t{dy} * kOctavesOfADrag * scene::kZoomLevelsPerOctave / height_;
+        (state_.camera_mode ? look.orbit.zoom : look.pose.zoom) =
+            scene::clamp_zoom((state_.camera_mode ? start.orbit.zoom : start.pose.zoom) + levels);
+    } else if (action.id == ActionId::drag_move) {
         const double units = drag_->units_per_pixel * scene::kPanUnitsPerRadius;
         const double x = units * dx, y = -units * dy;
         if (state_.camera_mode) {
@@ -447,6 +519,8 @@ void Viewer::drag(const Action& action, const geom::Mesh* mesh) {
         }
     } else {
         const std::int64_t turn_x = angle_of_pixels(dx), turn_y = angle_of_pixels(dy);
+        drag_->turns = action.id == ActionId::drag_rotate && !moves_light();
+        follow_turn(turn_x, turn_y);
         if (action.id == ActionId::drag_rotate && moves_light()) {
             turn_light(start.lights[static_cast<std::size_t>(state_.light)], turn_x, -turn_y, mesh);
         } else if (action.id == ActionId::drag_roll) {
@@ -462,10 +536,13 @@ void Viewer::drag(const Action& action, const geom::Mesh* mesh) {
             look.pose.pitch = scene::wrap_angle(start.pose.pitch + turn_y);
         }
     }
-    if (!drag_->remembered && !(look == start)) {
-        remember(start);
-        drag_->remembered = true;
-    }
+    remember_drag();
+}
+
+void Viewer::remember_drag() {
+    if (drag_->remembered || state_.look == drag_->start) return;
+    remember(drag_->start);
+    drag_->remembered = true;
 }
 
 // Scales so that the point under the pixel (x, y), in the plane through the model's centre, stays.
@@ -497,7 +574,7 @@ Effect Viewer::change_file(int by) {
         return Effect::none;
     }
     state_.file = (state_.file + by + files_) % files_;
-    state_.doctor = 0;
+    state_.doctor = state_.warnings = 0;
     state_.measured_count = 0; // points of the model before
     return Effect::load_file;
 }
@@ -505,8 +582,10 @@ Effect Viewer::change_file(int by) {
 void Viewer::advance_to(std::int64_t step) {
     if (step <= step_) return;
     const std::int64_t passed = std::exchange(step_, step);
+    for (std::int64_t i = 0; i < step - passed && spins(); ++i)
+        spin();
     scene::Pose& pose = state_.look.pose;
-    if (turning()) {
+    if (turntable_turns()) {
         const std::int64_t turn = (step - passed) * kTurntableUnitsPerStep;
         pose.yaw = scene::wrap_angle(pose.yaw + turn);
         turned_ += turn;

@@ -28,6 +28,7 @@ enum class Effect : std::uint8_t {
     screenshot,
     print_view,
     pick,
+    rendering, // a switch of it: the plan says what comes of it
     rung_down,
     rung_up,
     frame,
@@ -63,8 +64,12 @@ public:
     // the one before. To be called before view() sees its mesh.
     void take_file(bool again);
 
-    // How many pages the plan on the display has, one at least: X goes through them.
-    void set_explain_pages(int pages) { explain_pages_ = pages; }
+    // How many pages the help sheet, the plan and the file's warnings have on the display, one at
+    // least: their keys go through them.
+    struct Pages {
+        int help = 1, explain = 1, warnings = 1;
+    };
+    void set_pages(const Pages& pages) { pages_ = pages; }
 
     // A point that was picked: after the third one the next begins anew.
     void take_point(const DVec3& file_coordinates);
@@ -81,7 +86,7 @@ public:
     // Steps of the virtual clock pass: the turntable turns, the pointer hides.
     void advance_to(std::int64_t step);
     // True when steps change something: the clock has to run. next_step(): the first that does.
-    bool turning() const { return state_.look.turntable && !drag_; } // the turntable
+    bool turning() const { return turntable_turns() || spins(); }
     bool moving() const { return turning() || state_.pointer.visible; }
     std::int64_t next_step() const;
 
@@ -95,6 +100,14 @@ public:
     std::string light_line(const geom::Mesh& mesh, std::size_t letters) const;
 
 private:
+    bool turntable_turns() const { return state_.look.turntable && !drag_; }
+    // Inertia (drive/viewer_inertia.cpp).
+    bool spins() const { return spin_.right != 0 || spin_.up != 0; }
+    void follow_turn(std::int64_t right, std::int64_t up); // of the drag, since its start
+    void throw_off();                                      // the button goes up
+    void stop_spin(ActionId id);
+    void rest_if_slow();
+    void spin();
     Effect carry_out(const Action& action, const geom::Mesh* mesh);
     scene::CameraOptions camera() const; // before the model is fitted
     const scene::CameraOptions& fitted_camera(const geom::Mesh& mesh) const;
@@ -102,9 +115,22 @@ private:
     void remember(const Look& before);
     void undo();
     void put_split(std::int64_t x);
+    bool switch_rendering(ActionId id);
+    // The flight (viewer_flight.cpp). True where the action is one of the camera that flies.
+    bool fly(const Action& action, const geom::Mesh* mesh);
+    void toggle_fly();
+    void fly_by(const DVec3& units, const geom::Mesh& mesh);
+    void look_by(std::int64_t left, std::int64_t up, const scene::Flight& from,
+                 const geom::Mesh& mesh);
+    void drag_flight(const Action& action, const geom::Mesh& mesh);
+    Result<scene::View> view_from_orbit(const geom::Mesh& mesh) const;
+    scene::ModelTransform model() const; // with the stretch of the keys
+    void move_in_depth(std::int64_t near);
+    void scale(int levels);
     void change_look(const Action& action, const geom::Mesh* mesh);
     void begin_drag(const geom::Mesh* mesh);
     void drag(const Action& action, const geom::Mesh* mesh);
+    void remember_drag();
     void zoom_at(int levels, int x, int y, const geom::Mesh* mesh);
     void rotate(int right, int up, const geom::Mesh* mesh);
     void move(std::int64_t right, std::int64_t up);
@@ -135,7 +161,7 @@ private:
     scene::CameraOptions camera_;
     std::vector<scene::Light> lights_;
     int width_, height_, files_;
-    int explain_pages_ = 1;
+    Pages pages_;
     std::vector<std::optional<HazardSpot>> hazards_;
     Look start_; // what the command line asks for; reset comes back to it
     ViewerState state_;
@@ -147,11 +173,23 @@ private:
         std::int64_t turned;
     };
     std::deque<Remembered> history_;
+    struct Turn {
+        std::int64_t step = 0, right = 0, up = 0; // angle units
+    };
+    bool inertia_;
+    struct Spin {
+        bool camera = false;            // else the model
+        std::int64_t right = 0, up = 0; // parts of an angle unit a step
+        std::int64_t rest_right = 0, rest_up = 0;
+    };
+    Spin spin_;
     struct Drag {
         Look start;
         bool remembered = false;
         std::optional<int> split_x; // the split line is what is dragged
         double units_per_pixel = 0;
+        bool turns = false; // model or camera
+        Turn earlier{}, last{};
         int farthest = 0; // from where it began, pixels
     };
     std::optional<Drag> drag_;

@@ -84,6 +84,8 @@ void Viewer::fit(const geom::Mesh* mesh) {
     const Look before = state_.look;
     scene::Pose& pose = state_.look.pose;
     scene::Orbit& orbit = state_.look.orbit;
+    state_.look.flight = {};
+    state_.look.flies = false;
     pose.zoom = orbit.zoom = 0;
     pose.pan_x = pose.pan_y = pose.pan_z = orbit.pan_x = orbit.pan_y = orbit.pan_z = 0;
     constexpr int kTries = 20; // octaves: until the eye is outside of the model

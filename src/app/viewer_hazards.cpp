@@ -26,7 +26,7 @@ void Viewer::set_hazards(std::vector<std::optional<HazardSpot>> places) {
 void Viewer::next_hazard(const geom::Mesh* mesh) {
     const int last = std::max(static_cast<int>(hazards_.size()), 1);
     state_.doctor = state_.doctor < last ? state_.doctor + 1 : 0;
-    state_.explain = 0; // it takes the room of the plan
+    state_.explain = state_.warnings = 0; // it takes the room of the plan
     if (mesh == nullptr || state_.doctor == 0 || hazards_.empty()) return;
     const std::optional<HazardSpot>& spot = hazards_[static_cast<std::size_t>(state_.doctor - 1)];
     if (!spot) return;

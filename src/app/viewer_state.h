@@ -1,6 +1,7 @@
 // The viewer's state, as plain values: only actions and steps of the virtual clock change it.
 #pragma once
 
+#include "app/switches/live_switches.h"
 #include "frame/options.h"
 #include "scene/light.h"
 #include "scene/pose.h"
@@ -27,6 +28,10 @@ struct Look {
     frame::Annotations annotations;            // likewise
     std::optional<scene::SectionSpec> section; // that the model is cut by
     bool turntable = false;
+    Rendering rendering;
+    std::array<int, 3> stretch{}; // zoom levels along the model's x, y and z
+    scene::Flight flight;
+    bool flies = false;                                       // keys and mouse fly the camera
     std::array<scene::LightMove, scene::kMaxLights> lights{}; // of the frame's lights
     friend bool operator==(const Look&, const Look&) = default;
 };
@@ -41,7 +46,9 @@ struct PointerState {
 struct ViewerState {
     Look look;
     bool camera_mode = false; // keys and mouse drive the camera instead of the model
-    bool help = false, info = false;
+    bool info = false;
+    int help = 0;                    // the page of the help sheet that is open, from 1; 0: none
+    int warnings = 0;                // likewise of the file's warnings
     int explain = 0;                 // the page of the plan that is open, from 1; 0: none
     int doctor = 0;                  // the hazard that is selected, from 1; 0: the panel is closed
     bool measuring = false;          // clicks choose points, or the command line did
@@ -52,7 +59,9 @@ struct ViewerState {
     bool frontier = false;  // its panel
     int split_x = 0;        // of the line, pixels from the left
     int file = 0;
-    int light = -1; // the one that keys and mouse move; -1: none, they move model or camera
+    int scale_axis = -1; // along which + and - scale; -1: all
+    int fly_speed = 0;   // doublings
+    int light = -1;      // the one that keys and mouse move; -1: none, they move model or camera
     PointerState pointer;
     friend bool operator==(const ViewerState&, const ViewerState&) = default;
 };

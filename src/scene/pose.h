@@ -41,6 +41,15 @@ struct Orbit {
     friend bool operator==(const Orbit&, const Orbit&) = default;
 };
 
+// A camera that flies: how it has moved and turned since it left the orbit. x right, y up, z back,
+// along the axes of the camera on the orbit; azimuth turns it to the left about the world's up
+// axis, elevation then lifts its sight.
+struct Flight {
+    std::int64_t x = 0, y = 0, z = 0; // pan units
+    int azimuth = 0, elevation = 0;   // angle units
+    friend bool operator==(const Flight&, const Flight&) = default;
+};
+
 int clamp_elevation(std::int64_t units); // [-90, 90] degrees
 
 // Zooming by `levels` so that the point under the pointer stays there. pointer_*: world units in

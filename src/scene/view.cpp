@@ -203,7 +203,8 @@ std::optional<NamedView> named_view(std::string_view name) {
 }
 
 Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, const Pose& pose,
-                       const CameraOptions& camera, const Orbit& orbit, int width, int height) {
+                       const CameraOptions& camera, const Orbit& orbit, int width, int height,
+                       const Flight& flight) {
     if (!(camera.distance >= 0))
         return fail(Exit::usage, "the camera's distance must be positive, not {}", camera.distance);
     if (!(camera.fov_degrees > 0) || !(camera.fov_degrees < 180))
@@ -241,6 +242,14 @@ Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, cons
     view.world_axes = rotation * up;
     view.world_origin = rotation * -stand.target - pan_of(orbit.pan_x, orbit.pan_y, orbit.pan_z) -
                         shift - DVec3(0, 0, distance);
+    if (!(flight == Flight())) {
+        const DMat3 turn = turn_of(flight, rotation);
+        const DVec3 eye = pan_of(flight.x, flight.y, flight.z);
+        view.linear = turn * view.linear;
+        view.translation = turn * (view.translation - eye);
+        view.world_axes = turn * view.world_axes;
+        view.world_origin = turn * (view.world_origin - eye);
+    }
     TRY_VOID(check_size(view, distance));
     set_normal_matrix(view);
     // The model's sphere in view space lies within `radius` of its centre: |linear p| <= 3 max |p|.
@@ -250,6 +259,17 @@ Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, cons
     set_projection(view, camera, tan_half, aspect, distance, radius);
     TRY_VOID(check_ratios(view, distance, radius));
     return view;
+}
+
+DMat3 turn_of(const Flight& flight, const DMat3& rotation) {
+    // Rodrigues: about the world's up axis, as the camera on the orbit sees it.
+    const DVec3 u = rotation[1];
+    const double s = sin_degrees(-units_to_degrees(flight.azimuth)),
+                 c = cos_degrees(units_to_degrees(flight.azimuth));
+    const DMat3 cross(DVec3(0, u.z, -u.y), DVec3(-u.z, 0, u.x), DVec3(u.y, -u.x, 0));
+    const DMat3 outer(u * u.x, u * u.y, u * u.z);
+    const DMat3 about_up = DMat3(c) + cross * s + outer * (1 - c);
+    return rotation_x(-units_to_degrees(flight.elevation)) * about_up;
 }
 
 double to_floats(const View& view) {

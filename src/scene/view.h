@@ -77,7 +77,16 @@ double radii_per_unit(const geom::Mesh& mesh); // of the file
 
 // Fails (Exit::usage) for a singular camera: eye == target, numbers that are not finite.
 Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, const Pose& pose,
-                       const CameraOptions& camera, const Orbit& orbit, int width, int height);
+                       const CameraOptions& camera, const Orbit& orbit, int width, int height,
+                       const Flight& flight = {});
+
+// How the flight turns what the camera on the orbit sees; `rotation` is that camera's, world ->
+// view.
+DMat3 turn_of(const Flight& flight, const DMat3& rotation);
+// From the world's axes to view space.
+inline DMat3 rotation_of(const View& view) {
+    return view.world_axes * transpose(up_rotation(view.up));
+}
 
 // A power of two that scales the view's lengths so that their squares are floats; 1 but for scenes
 // of 2^40 bounding radii and more.

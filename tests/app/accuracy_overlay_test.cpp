@@ -84,7 +84,9 @@ TEST(AccuracyOverlay, TheNamesOfTheSidesAreBrokenWhereASideIsNarrow) {
 TEST(AccuracyOverlay, PanelsLieOverTheSplitLine) {
     const std::vector<std::string> rows(20, std::string(50, ' '));
     Overlay help, info, legend;
-    help.help = rows;
+    for (const std::string& row : rows)
+        help.help.columns.resize(1), help.help.columns[0].lines.push_back({{}, "H", row, {}});
+    help.help.columns[0].letters = 60;
     info.info = rows;
     legend.legend = ErrorLegend{{kTitle, "", ""}, true};
     for (Overlay overlay : {help, info, legend}) {

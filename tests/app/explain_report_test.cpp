@@ -146,7 +146,7 @@ TEST(ExplainTable, SaysWhatATechniqueThatTheUserNamesLosesAgainstTheAutomaticOne
 TEST(ScreenTable, HasTheFiguresThatAreKnownAndFitsTheScreen) {
     measure::Explanation e;
     for (int i = 0; i < 10; ++i)
-        e.rows.push_back(row("effect" + std::to_string(i), i < 3 ? "on" : "off", "a fact"));
+        e.rows.push_back(row("effect" + std::to_string(i), "on", "a fact"));
     e.rows[0].change = measure::Change{120, 37, 0.0125};
     e.rows[0].price = price(1.25, 0.05);
     e.rows[0].bytes = 4096;
@@ -180,7 +180,7 @@ TEST(ScreenTable, LosesNoWordOfAReason) {
         std::string reason;
         for (int k = 0; k < i; ++k)
             reason += "w" + std::to_string(i) + "." + std::to_string(k) + " ";
-        e.rows.push_back(row("effect" + std::to_string(i), i % 2 == 0 ? "blinn_phong" : "off",
+        e.rows.push_back(row("effect" + std::to_string(i), i % 2 == 0 ? "blinn_phong" : "on",
                              reason + "end" + std::to_string(i)));
     }
     for (const std::size_t letters : {50U, 78U, 105U, 158U, 300U})
@@ -206,6 +206,18 @@ TEST(ScreenTable, LosesNoWordOfAReason) {
         }
 }
 
+TEST(ScreenTable, WhatIsOffFoldsIntoOneLineUnlessItWasAskedFor) {
+    measure::Explanation e;
+    e.rows = {row("fog", "off", "no fog"), row("texture", "bilinear", "a fact"),
+              row("edges", "none", "on request"), row("shadow", "off", "taken out")};
+    e.rows[3].decision.forced = true;
+    const auto lines = screen_table(e, 4, 100, 20, 1).lines;
+    ASSERT_GE(lines.size(), 4U);
+    EXPECT_THAT(lines[1], HasSubstr("texture"));
+    EXPECT_THAT(lines[2], HasSubstr("taken out"));
+    EXPECT_EQ(lines[3], "off: fog, edges");
+}
+
 TEST(PlanLines, AreOneAnEffectAndNoLongerThanTheScreen) {
     frame::FramePlan plan;
     plan.decisions = {row("texture", "bilinear", "a fact").decision,
@@ -214,7 +226,7 @@ TEST(PlanLines, AreOneAnEffectAndNoLongerThanTheScreen) {
     ASSERT_EQ(lines.size(), 4U);
     EXPECT_EQ(lines[0], "effect   runs      because");
     EXPECT_EQ(lines[1], "texture  bilinear  a fact");
-    EXPECT_EQ(lines[2], "fog      off       none");
+    EXPECT_EQ(lines[2], "off: fog");
     EXPECT_EQ(lines[3], "times, memory and changes: when the picture stands still");
     EXPECT_EQ(plan_lines(plan, false, 60, 9, 1).lines[3],
               "memory and changes: when the picture stands still");

@@ -53,7 +53,7 @@ TEST(FrontierPanel, TheOverlayDrawsItAndTheHelpSheetTakesItsRoom) {
     draw_frontier_panel(panel, *overlay.frontier, 0, 1);
     draw_overlay(picture, overlay);
     EXPECT_EQ(picture, panel);
-    overlay.help = {"help"};
+    overlay.help = {{{{{{}, "H", "help", {}}}, 1, 7}}, ""};
     draw_overlay(picture = image::Image(640, 480), overlay);
     EXPECT_EQ(std::count(picture.pixels().begin(), picture.pixels().end(), kHere), 0);
 }

@@ -22,15 +22,16 @@ struct Words : ::testing::Test {
     Settings settings;
     Jobs jobs{1};
     ModelSlot slot;
+    const KeyMap keys = KeyMap::standard();
 };
 
 TEST_F(Words, NothingOpenIsNothingSaid) {
-    EXPECT_EQ(overlay_text(viewer_after({}), slot, settings, ""), Overlay());
+    EXPECT_EQ(overlay_text(viewer_after({}), slot, settings, "", keys), Overlay());
 }
 
 TEST_F(Words, InformationNamesFileCountsAndState) {
     const Overlay overlay = overlay_text(
-        viewer_after({ActionId::toggle_info, ActionId::toggle_drive}), slot, settings, "");
+        viewer_after({ActionId::toggle_info, ActionId::toggle_drive}), slot, settings, "", keys);
     EXPECT_EQ(overlay.info, (std::vector<std::string>{
                                 "t.obj  (1 of 2)", "1 triangles  3 vertices  0 warnings  640x480",
                                 "perspective  up y  cull none  camera mode"}));
@@ -39,15 +40,16 @@ TEST_F(Words, InformationNamesFileCountsAndState) {
 
 TEST_F(Words, AnErrorStandsInTheMiddleAndNoCountsAreThere) {
     slot.put_error("other.obj: no such file");
-    const Overlay overlay = overlay_text(viewer_after({ActionId::toggle_info}), slot, settings, "");
+    const Overlay overlay =
+        overlay_text(viewer_after({ActionId::toggle_info}), slot, settings, "", keys);
     EXPECT_EQ(overlay.notice, std::vector<std::string>{"other.obj: no such file"});
     EXPECT_EQ(overlay.info.size(), 2U);
 }
 
 TEST_F(Words, AMessageComesBeforeTheLineOfTheLight) {
     const Viewer viewer = viewer_after({ActionId::light_next});
-    EXPECT_NE(overlay_text(viewer, slot, settings, "").message, "");
-    EXPECT_EQ(overlay_text(viewer, slot, settings, "wrote a.png").message, "wrote a.png");
+    EXPECT_NE(overlay_text(viewer, slot, settings, "", keys).message, "");
+    EXPECT_EQ(overlay_text(viewer, slot, settings, "wrote a.png", keys).message, "wrote a.png");
 }
 
 TEST_F(Words, FiguresOfAFrameStandOnlyInOpenBlocksAndOnlyWhereTimesMay) {

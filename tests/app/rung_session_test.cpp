@@ -79,6 +79,28 @@ TEST_F(RungSession, KeysStepOnAKnownFrontierAndWhatTheyChoseStays) {
     EXPECT_NE(rendered_with("none"), rendered_with("samples_2"));
 }
 
+// What is touched last wins.
+TEST_F(RungSession, ASwitchCountsBeforeTheRungUntilTheNextStep) {
+    width = 640;
+    height = 300;
+    remember(known());
+    const port::Event down = press(XKB_KEY_comma), aa = press(XKB_KEY_F3);
+    const auto released = [](port::Event event) {
+        event.pressed = false;
+        return event;
+    };
+    const std::vector<TimedInput::Entry> switched = {
+        {300ms, {down, released(down)}}, {1000ms, {aa, released(aa)}}}; // samples_2, then none
+    std::vector<TimedInput::Entry> entries = switched;
+    entries.push_back({1000ms, {quit()}});
+    expect_same_left(last_frame(entries), rendered_with("none"));
+    entries = switched;
+    const port::Event up = press(XKB_KEY_period);
+    entries.push_back({500ms, {up, released(up), up, released(up)}});
+    entries.push_back({1000ms, {quit()}});
+    expect_same_left(last_frame(entries), rendered_with("samples_16"));
+}
+
 TEST_F(RungSession, AFrontierIsMeasuredWhereNoneIsKnownAndThenRemembered) {
     width = 64;
     height = 48;

@@ -3,7 +3,7 @@
 
 #include "geom/mesh.h"
 
-namespace scanout::app::test {
+namespace scanout::test {
 
 inline geom::Mesh triangle_mesh() {
     geom::Mesh mesh;
@@ -16,4 +16,4 @@ inline geom::Mesh triangle_mesh() {
     return mesh;
 }
 
-} // namespace scanout::app::test
+} // namespace scanout::test

@@ -251,10 +251,10 @@ TEST(Viewer, ASwitchAnswersWithItsNewState) {
              {Id::edges_next, "edges: feature"},
              {Id::edges_next, "edges: all"},
              {Id::edges_next, "edges: none"},
-             {Id::toggle_points, "shown: points"},
-             {Id::toggle_axes, "shown: points,axes"},
-             {Id::toggle_points, "shown: axes"},
-             {Id::toggle_axes, "shown: none"},
+             {Id::toggle_points, "vertices: on"},
+             {Id::toggle_axes, "axes: on"},
+             {Id::toggle_points, "vertices: off"},
+             {Id::toggle_axes, "axes: off"},
              {Id::toggle_drive, "keys drive: camera"},
              {Id::view_left, "view: left"},
              {Id::toggle_turntable, "turntable: on"},
@@ -354,7 +354,7 @@ TEST(Viewer, EscapeClosesTheHelpAndElseQuits) {
     Bench bench;
     bench.act(Id::toggle_help);
     EXPECT_EQ(bench.act(Id::close), Effect::none);
-    EXPECT_FALSE(bench.viewer.state().help);
+    EXPECT_EQ(bench.viewer.state().help, 0);
     EXPECT_EQ(bench.act(Id::close), Effect::quit);
 }
 
