@@ -11,8 +11,9 @@
 namespace scanout::console {
 namespace {
 
-// libseat's server restores the console, too, when its client is gone: not both at once.
-constexpr int kServerTimeoutMs = 50;
+// libseat's server restores the console, too, when its client is gone. Not both at once; and it
+// leaves the switching to itself, which is about to end: so ours is the last word.
+constexpr int kSoonMs = 50, kLateMs = 10'000;
 
 // -1 where there is no such process, or the kernel is older than 5.3: then the pipe tells.
 int pidfd_of(pid_t process) {
@@ -44,11 +45,10 @@ void watch(int pipe, const ConsoleState& console, const Watched& watched) {
     ::prctl(PR_SET_NAME, "console-guard"); // `killall scanout` does not mean the guard
     const int program = pidfd_of(watched.program), server = pidfd_of(watched.server);
     if (says_farewell(pipe, program)) ::_exit(0);
-    if (server >= 0) {
-        pollfd end{server, POLLIN, 0};
-        ::poll(&end, 1, kServerTimeoutMs);
-    }
+    pollfd end{server, POLLIN, 0};
+    const bool serves = server >= 0 && ::poll(&end, 1, kSoonMs) == 0;
     restore_console(console);
+    if (serves && ::poll(&end, 1, kLateMs) == 1) restore_console(console);
     ::_exit(0);
 }
 
