@@ -262,6 +262,27 @@ TEST(Section, OpenSurfacesAreCappedWhereTheyCloseAndSayWhereTheyDoNot) {
     EXPECT_EQ(level->edges, 0U);
 }
 
+// A box without a lid whose rim lies in the plane is open there, whatever rises beside it.
+TEST(Section, ARimInThePlaneIsNotCapped) {
+    PolygonMesh both = testing::cube(0.5, DVec3(-2, 0, 0));
+    const PolygonMesh box = testing::cube(0.5, DVec3(2, 0, -0.5));
+    const auto first = static_cast<std::int32_t>(both.positions.size());
+    both.positions.insert(both.positions.end(), box.positions.begin(), box.positions.end());
+    for (std::size_t f = 0; f < box.faces(); ++f) {
+        std::vector<std::int32_t> corners;
+        for (std::size_t c = box.face_begin[f]; c < box.face_end(f); ++c)
+            corners.push_back(first + box.corners[c].position);
+        if (f != 1) testing::add_face(both, corners); // 1: the side at the greatest z
+    }
+    const Mesh mesh = built(std::move(both));
+    const auto rim = static_cast<float>(std::ldexp(0 - mesh.centre.z, -mesh.exponent));
+    const auto found = cut_by_plane(jobs(), mesh, {{0, 0, 1}, rim}, kCap);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->edges, 8U);
+    EXPECT_EQ(found->open_edges, 0U);
+    EXPECT_EQ(found->caps, 6U);
+}
+
 TEST(Section, FacesWoundAgainstTheirNeighboursAreCapped) {
     PolygonMesh mixed;
     const PolygonMesh whole = testing::cube();
