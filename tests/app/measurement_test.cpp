@@ -133,6 +133,23 @@ TEST_F(Session, ClicksMeasureBetweenVertices) {
     EXPECT_TRUE(seen == expected);
 }
 
+TEST(Measurement, EachLineOfItsTextIsALineOnThePicture) {
+    const auto rows_under = [](const std::string& message) {
+        image::Image picture(400, 200, {90, 90, 90, 255});
+        const image::Image before = picture;
+        Overlay overlay;
+        overlay.message = message;
+        draw_overlay(picture, overlay);
+        int rows = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            rows += picture.row(y)[0] == before.row(y)[0] ? 0 : 1;
+        return rows;
+    };
+    const int line = rows_under("a\nb") - rows_under("a");
+    EXPECT_GT(line, 10);
+    EXPECT_EQ(rows_under("a\nb\nc"), rows_under("a") + 2 * line);
+}
+
 TEST(MeasureOption, ReadsTwoPointsOrThree) {
     const auto parsed = [](const std::string& text) {
         std::istringstream stream("render a.obj -o a.png --measure " + text);

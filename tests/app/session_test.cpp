@@ -178,7 +178,7 @@ TEST_F(Session, AKeyIsOneFrameAndAKeyWithoutEffectIsNone) {
     port::Event release = press(XKB_KEY_Left);
     release.pressed = false;
     EXPECT_EQ(run({{50ms, {press(XKB_KEY_Left), release}},
-                   {300ms, {press(XKB_KEY_j)}},
+                   {300ms, {press(XKB_KEY_z)}},
                    {300ms, {quit()}}}),
               2U);
 }
@@ -403,7 +403,7 @@ private:
 
 TEST_F(Session, AConsoleThatComesBackIsDrawnAtOnceEvenIfNothingChanged) {
     FlakyDisplay display;
-    TimedInput timed({{200ms, {press(XKB_KEY_j)}}, {200ms, {press(XKB_KEY_j)}}, {300ms, {quit()}}});
+    TimedInput timed({{200ms, {press(XKB_KEY_z)}}, {200ms, {press(XKB_KEY_z)}}, {300ms, {quit()}}});
     SwitchingInput input(timed, display);
     auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
     ASSERT_TRUE((*session)->run());
