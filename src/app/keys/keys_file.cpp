@@ -57,8 +57,7 @@ Result<std::vector<std::string>> parse_value(std::string_view text) {
 std::string action_names() {
     std::string names;
     for (const ActionRow& row : action_rows())
-        if (row.numbers == 0 && row.id != ActionId::frame)
-            names += (names.empty() ? "" : " ") + std::string(row.name);
+        if (!row.keys.empty()) names += (names.empty() ? "" : " ") + std::string(row.name);
     return names;
 }
 
@@ -69,7 +68,7 @@ Result<void> take_line(std::string_view line, KeyMap& map) {
         return fail(Exit::usage, "an action and its keys are wanted, as in rotate_left = \"A\"");
     const std::string_view name = trimmed(line.substr(0, equals));
     const ActionRow* const row = find_action(name);
-    if (row == nullptr || row->numbers != 0 || row->id == ActionId::frame) {
+    if (row == nullptr || row->keys.empty()) { // a hand or a recording does these
         std::vector<std::string_view> names;
         for (const ActionRow& known : action_rows())
             names.push_back(known.name);
