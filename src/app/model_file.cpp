@@ -71,8 +71,8 @@ Result<LoadedModel> load_model(const std::string& path, const Settings& settings
         if (settings.verbose)
             say(fmt::format("section {}: {:.2f} ms", model.scene.section->plane,
                             cutting.milliseconds()));
-        if (std::string line = scene::remark(*model.scene.section); !line.empty())
-            model.warnings.push_back(std::move(line));
+        if (const std::string line = scene::remark(*model.scene.section); !line.empty())
+            model.warnings.push_back(fmt::format("{}: {}", path, line));
     }
     model.load_ms = watch.milliseconds();
     return model;

@@ -89,6 +89,16 @@ TEST_F(SectionInView, TheCameraStaysWhereTheWholeModelFits) {
     EXPECT_EQ(cut.scene.mesh.radius, whole.scene.mesh.radius);
 }
 
+TEST_F(SectionInView, AWarningNamesTheModelThatIsNotCut) {
+    settings.section = scene::SectionSpec{.axis = scene::SectionAxis::y, .share = 1};
+    const LoadedModel model = *load_model(settings.arguments.front(), settings, jobs, {});
+    ASSERT_EQ(model.warnings.size(), 1U);
+    EXPECT_EQ(model.warnings[0], settings.arguments.front() +
+                                     ": --section y:1 changes nothing: nothing of the model "
+                                     "lies in front of it");
+    EXPECT_EQ(model.scene.materials.size(), 0U);
+}
+
 // --colour and --opacity stand for what the file says of materials.
 TEST_F(SectionInView, ColourAndOpacityReplaceTheMaterials) {
     folder.write("two.mtl", "newmtl a\nKd 1 0 0\nd 0.5\nnewmtl b\nKd 0 1 0\n");
