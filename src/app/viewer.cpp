@@ -594,7 +594,7 @@ void Viewer::advance_to(std::int64_t step) {
 }
 
 std::int64_t Viewer::next_step() const {
-    return turning() ? step_ + 1 : state_.pointer.hide_step;
+    return turning() || follows_hand() ? step_ + 1 : state_.pointer.hide_step;
 }
 
 } // namespace scanout::app

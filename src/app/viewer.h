@@ -87,7 +87,7 @@ public:
     void advance_to(std::int64_t step);
     // True when steps change something: the clock has to run. next_step(): the first that does.
     bool turning() const { return turntable_turns() || spins(); }
-    bool moving() const { return turning() || state_.pointer.visible; }
+    bool moving() const { return turning() || follows_hand() || state_.pointer.visible; }
     std::int64_t next_step() const;
 
     // The matrices of the state; see scene::make_view for errors.
@@ -104,7 +104,9 @@ private:
     // Inertia (drive/viewer_inertia.cpp).
     bool spins() const { return spin_.right != 0 || spin_.up != 0; }
     void follow_turn(std::int64_t right, std::int64_t up); // of the drag, since its start
-    void throw_off();                                      // the button goes up
+    // A hand turns something that it may throw: the clock has to run to see how fast.
+    bool follows_hand() const;
+    void throw_off(); // the button goes up
     void stop_spin(ActionId id);
     void rest_if_slow();
     void spin();

@@ -146,7 +146,8 @@ TEST(ExplainTable, SaysWhatATechniqueThatTheUserNamesLosesAgainstTheAutomaticOne
 TEST(ScreenTable, HasTheFiguresThatAreKnownAndFitsTheScreen) {
     measure::Explanation e;
     for (int i = 0; i < 10; ++i)
-        e.rows.push_back(row("effect" + std::to_string(i), "on", "a fact"));
+        e.rows.push_back(row("effect" + std::to_string(i), i < 9 ? "on" : "off", "a fact"));
+    e.rows[9].decision.needed = true; // so it keeps its line
     e.rows[0].change = measure::Change{120, 37, 0.0125};
     e.rows[0].price = price(1.25, 0.05);
     e.rows[0].bytes = 4096;

@@ -31,6 +31,10 @@ void Viewer::stop_spin(ActionId id) {
     if (!leaves_spin(id)) spin_ = {};
 }
 
+bool Viewer::follows_hand() const {
+    return inertia_ && drag_ && drag_->turns && step_ - drag_->last.step <= kLongestRest;
+}
+
 void Viewer::throw_off() {
     if (!inertia_ || !drag_ || !drag_->turns) return;
     const Turn &from = drag_->earlier, &to = drag_->last;
