@@ -42,6 +42,7 @@ struct Look {
     double alpha_cut = 0.5;         // the least alpha that a cut-out surface shows
 
     std::vector<scene::Light> lights;
+    double occlusion_radius = 0; // of ambient light, in parts of the model's radius; 0: none
     bool shadows = false;
     std::vector<Alpha> casts; // as alpha: opaque, cut_out or nothing; empty: all cast
 

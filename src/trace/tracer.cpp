@@ -14,9 +14,10 @@ namespace scanout::trace {
 constexpr std::uint32_t kLightPoints = 16; // of a light with a size, for each sample
 
 Tracer::Tracer(const World& world, const Look& look, PlacedLights lights, Tone tone, int seed)
-    : world_(world), shadows_(world), look_(look), lights_(std::move(lights)), tone_(tone),
-      seed_(seed), background_(srgb_decode(look.background.r), srgb_decode(look.background.g),
-                               srgb_decode(look.background.b)) {}
+    : world_(world), shadows_(world), occlusion_(world, look.occlusion_radius), look_(look),
+      lights_(std::move(lights)), tone_(tone), seed_(seed),
+      background_(srgb_decode(look.background.r), srgb_decode(look.background.g),
+                  srgb_decode(look.background.b)) {}
 
 // Of a light with a size, by several points of it: what reaches a place is summed before the tone
 // curve bends it. Points below the ground's plane are not asked: the reflection model, which takes
@@ -63,8 +64,11 @@ Sample Tracer::shown(const Hit& hit, const Ray& ray, std::uint32_t index,
         }
         arrivals[count++] = arrival;
     }
-    const DVec3 light = (reflection(surface, eye, lights_.ambient_on(surface.normal),
-                                    std::span(arrivals).first(count)) +
+    DVec3 ambient = lights_.ambient_on(surface.normal);
+    if (occlusion_.any() && ambient != DVec3(0) && !world_.is_blended(hit.triangle))
+        ambient = ambient *
+                  occlusion_.open(hit, ray, index, static_cast<int>(lights_.others.size()), seed);
+    const DVec3 light = (reflection(surface, eye, ambient, std::span(arrivals).first(count)) +
                          world_.emission(hit)) *
                         look_.exposure;
     for (int c = 0; c < 3; ++c)

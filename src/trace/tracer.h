@@ -9,6 +9,7 @@
 #include "trace/lights.h"
 #include "trace/look.h"
 #include "trace/noise.h"
+#include "trace/occlusion_rays.h"
 #include "trace/shadow_rays.h"
 #include "trace/world.h"
 
@@ -90,6 +91,7 @@ private:
 
     const World& world_;
     ShadowRays shadows_;
+    OcclusionRays occlusion_;
     const Look& look_;
     PlacedLights lights_;
     Tone tone_;

@@ -121,6 +121,10 @@ double World::alpha(const Hit& hit) const {
     return 0;
 }
 
+bool World::is_blended(std::uint32_t triangle) const {
+    return in_list(look_->alpha, of_list(triangle)) == Alpha::blended;
+}
+
 bool World::lets_through(const Hit& hit) const {
     return in_list(look_->casts, of_list(hit.triangle)) == Alpha::cut_out &&
            mapped_alpha(hit) < look_->alpha_cut;
@@ -136,6 +140,13 @@ DVec3 World::wound(const Hit& hit) const {
 DVec3 World::facing(const Hit& hit, const Ray& ray) const {
     const DVec3 normal = wound(hit);
     return dot3(normal, ray.way) > 0 ? -normal : normal;
+}
+
+double World::model_radius() const {
+    double square = 0; // of the most that the view lengthens anything
+    for (int c = 0; c < 3; ++c)
+        square = std::max(square, dot3(view_->linear[c], view_->linear[c]));
+    return scene_->mesh.radius * scanout::sqrt(square);
 }
 
 // Of the corners, of any length, on the side that is lit.

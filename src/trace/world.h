@@ -41,6 +41,9 @@ public:
     // smooth normal does not, the surface is the round one that the normals mean: the place lies on
     // it, lifted as Hanika 2021 has it, and the normal is the smooth one.
     Ground ground(const Hit& hit, const Ray& ray, const DVec3& towards) const;
+    // The face's own normal, of any length, on the side that the ray meets.
+    DVec3 facing(const Hit& hit, const Ray& ray) const;
+    double model_radius() const; // as the view shows it
     DVec3 emission(const Hit& hit) const;
     Reflection reflection(const Hit& hit) const;
 
@@ -48,6 +51,9 @@ public:
     const std::vector<std::uint8_t>& casters() const { return casters_; }
     bool has_holes() const { return has_holes_; } // some caster's
     bool lets_through(const Hit& hit) const;      // a ray of light, by a hole
+    // Light from everywhere: whichever way it is wound, it is not blended, and the hit no hole.
+    bool keeps_off(const Hit& hit) const { return !is_blended(hit.triangle) && alpha(hit) > 0; }
+    bool is_blended(std::uint32_t triangle) const;
 
 private:
     World(const scene::Scene& scene, const scene::View& view, const Look& look, Bvh bvh);
@@ -58,7 +64,6 @@ private:
     DVec4 sampled(const Hit& hit, const scene::TextureMap& map, bool encoded) const;
     double mapped_alpha(const Hit& hit) const;
     DVec3 wound(const Hit& hit) const;
-    DVec3 facing(const Hit& hit, const Ray& ray) const;
     std::array<DVec3, 3> normals(const Hit& hit, const Ray& ray) const;
     void lean(DVec3& normal, const Hit& hit, const DVec3& given) const;
     void lean_by_maps(DVec3& normal, const Hit& hit, const scene::Material& m) const;
