@@ -16,6 +16,7 @@
     X(opacity) X(normal) X(bump) X(specular) X(gloss) X(roughness) X(metalness) X(emission)
 #define SCANOUT_LIGHT(X) X(ambient) X(hemisphere) X(directional) X(point) X(spot)
 #define SCANOUT_SHADOW(X) X(attached) X(projected) X(map) X(map_pcf) X(map_soft) X(volume)
+#define SCANOUT_AMBIENT_OCCLUSION(X) X(none) X(gtao_4) X(gtao_8) X(gtao_16)
 #define SCANOUT_REFLECTION(X)                                                                      \
     X(lambert) X(toon) X(phong) X(blinn_phong) X(blinn_phong_normalised) X(ggx)
 #define SCANOUT_SHADING(X) X(flat) X(gouraud) X(per_pixel_raw) X(per_pixel)
@@ -64,6 +65,9 @@
     X(shade, shadow, SCANOUT_SHADOW, ShadowStage, asked,                                           \
       "how shadows are drawn (`list techniques`); auto: map_soft where a light has a size, else "  \
       "map_pcf")                                                                                   \
+    X(shade, ambient_occlusion, SCANOUT_AMBIENT_OCCLUSION, AmbientOcclusion, asked,                \
+      "keep the light from everywhere off surfaces that others stand close to (`list "             \
+      "techniques`); auto: none")                                                                  \
     X(shade, reflection, SCANOUT_REFLECTION, ReflectionStage, asked,                               \
       "how surfaces reflect (`list techniques`)")                                                  \
     X(shade, shading, SCANOUT_SHADING, ShadingStage, asked,                                        \

@@ -15,6 +15,7 @@
 #include "app/report.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
+#include "frame/catalogue.h"
 #include "frame/facts/facts.h"
 #include "frame/plan/ignored_options.h"
 #include "measure/own_measure.h"
@@ -186,10 +187,19 @@ Result<void> write_files(const Settings& settings, const FrontierReport& report)
     return write_report(settings, to_json(report));
 }
 
+// The axis that comes only on request is asked for where its ladder is.
+Settings with_what_axes_ask(Settings s) {
+    const bool named = std::find(s.axes.begin(), s.axes.end(), measure::kOnRequest) != s.axes.end();
+    if (named && frame::is_auto(frame::asked_for(s.frame, measure::kOnRequest)))
+        frame::ask(s.frame, measure::kOnRequest, frame::names_on(measure::kOnRequest).back());
+    return s;
+}
+
 } // namespace
 
-Result<Exit> run_frontier(const Settings& settings) {
-    TRY_VOID(check_frontier(settings));
+Result<Exit> run_frontier(const Settings& asked) {
+    TRY_VOID(check_frontier(asked));
+    const Settings settings = with_what_axes_ask(asked);
     Jobs jobs(settings.threads);
     TRY(const LoadedModel model,
         load_model_with_messages(settings.arguments.front(), settings, jobs));

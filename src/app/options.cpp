@@ -149,6 +149,7 @@ constexpr std::array kOptions = std::to_array<Option>({
     axis_option("source"),
     axis_option("mapping"),
     axis_option("reflection"),
+    axis_option("ambient-occlusion"),
     axis_option("transparency"),
     axis_option("blend"),
     axis_option("depth", kLoad),

@@ -120,6 +120,7 @@ Result<trace::Look> look_of(const frame::FramePlan& plan) {
     look.alpha = alpha_of(plan.transparency.alpha_modes);
     look.alpha_cut = plan.options.alpha_cut;
     look.lights = plan.lights;
+    look.occlusion_radius = plan.occlusion != nullptr ? shade::kOcclusionRadius : 0;
     look.shadows = plan.shadow.stage != nullptr;
     look.casts = alpha_of(plan.shadow.casters);
     look.exposure = double{plan.exposure};

@@ -10,6 +10,7 @@
 #include "raster/coverage/depth_rule.h"
 #include "raster/culling/cull.h"
 #include "rows.h"
+#include "shade/ambient_occlusion.h"
 #include "shade/colour_by.h"
 #include "shade/resolve/output.h"
 #include "shade/sides.h"

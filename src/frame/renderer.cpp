@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/stopwatch.h"
 #include "frame/cleared_tiles.h"
+#include "frame/pass/ambient_occlusion.h"
 #include "frame/pass/annotations.h"
 #include "frame/pass/lights.h"
 #include "frame/pass/shading_input.h"
@@ -120,15 +121,17 @@ struct Renderer::State {
         return geometry.is_empty(tile) && (annotations == nullptr || !annotations->has_lines(tile));
     }
     void draw_frame(const FrameInput& input);
+    void find_occlusion(const FrameInput& input, const shade::GatherInput& in);
     void count_frame(const FrameInput& input);
     void filter_tiles(const Frame& frame);
     image::Image& shown(const FramePlan& plan);
     void prepare_workers(bool transparent, bool areas);
     void count_work();
-    std::unique_ptr<ShadowPass> shadows;         // while a plan runs them
-    std::unique_ptr<StencilBuffer> marks;        // likewise
-    std::unique_ptr<AnnotationPass> annotations; // likewise
-    TriangleColours triangle_colours; // empty but for frames that colour by a fact
+    std::unique_ptr<ShadowPass> shadows;           // while a plan runs them
+    std::unique_ptr<StencilBuffer> marks;          // likewise
+    std::unique_ptr<AmbientOcclusionPass> ambient; // likewise
+    std::unique_ptr<AnnotationPass> annotations;   // likewise
+    TriangleColours triangle_colours;              // empty but for frames that colour by a fact
     FrameStats stats;
 };
 
@@ -309,6 +312,25 @@ image::Image& Renderer::State::shown(const FramePlan& plan) {
     return enlarged;
 }
 
+// What the centres of all pixels show, and the light from everywhere that reaches them.
+void Renderer::State::find_occlusion(const FrameInput& input, const shade::GatherInput& in) {
+    const int scale = input.plan.aa->scale;
+    ambient->begin(jobs, input.scene, input.view, input.plan.options.width * scale,
+                   input.plan.options.height * scale);
+    jobs.for_each(geometry.tiles(), [&](int tile, int number) {
+        const image::Rect area = geometry.tile_area(tile);
+        if (geometry.is_empty(tile)) return ambient->take_empty(area);
+        TileWorker& worker = workers[static_cast<std::size_t>(number)];
+        worker.visibility.reset(area, 1);
+        geometry.draw_triangles(tile, worker.visibility, &worker.deferred);
+        if (in.transparency != nullptr && in.transparency->cut_out != nullptr)
+            worker.transparency->cut_out(geometry, tile, in, worker.visibility);
+        ambient->take(worker.visibility);
+    });
+    geometry.draw_again();
+    ambient->find(jobs, *input.plan.occlusion);
+}
+
 void Renderer::State::draw_frame(const FrameInput& input) {
     const FramePlan& plan = input.plan;
     const AntiAliasing& aa = *plan.aa;
@@ -318,8 +340,10 @@ void Renderer::State::draw_frame(const FrameInput& input) {
          triangle_colours.of(input.scene, input.view,
                              plan.colours != nullptr ? plan.colours->of
                                                      : shade::ColourByTraits::Of::light),
-         input.shadows != nullptr ? input.shadows->lights().data() : nullptr, input.linear});
+         input.shadows != nullptr ? input.shadows->lights().data() : nullptr,
+         ambient != nullptr ? &ambient->image() : nullptr, input.linear});
     prepare_workers(!plan.transparency.alpha_modes.empty(), aa.exact);
+    if (ambient != nullptr) find_occlusion(input, shading.gather());
     std::optional<shade::ReconstructionFilter> filter;
     if (aa.weight != nullptr) {
         filter.emplace(raster::sample_pattern(aa.samples), aa.weight);
@@ -387,6 +411,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
                           plan.depth_rule.is_default() && plan.stencil == nullptr;
     if (occludes) options.occlusion = &s.occlusion;
     options.all_vertices = plan.annotations.any();
+    options.centres = plan.occlusion != nullptr;
     options.line_width = o.line_width > 1 ? o.line_width * aa.scale : 1;
     options.point_size = o.point_size > 1 ? o.point_size * aa.scale : 1;
     s.geometry.run(s.jobs, scene.mesh, transform, options);
@@ -396,6 +421,10 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
         s.annotations = std::make_unique<AnnotationPass>();
     if (s.annotations != nullptr)
         s.annotations->run(s.jobs, scene, plan, view.up, transform, options, aa.scale);
+    if (plan.occlusion == nullptr)
+        s.ambient.reset();
+    else if (s.ambient == nullptr)
+        s.ambient = std::make_unique<AmbientOcclusionPass>();
     FrameLights lights(plan, view, scene.mesh);
     const double before_shadows_ms = total.milliseconds();
     ShadowPass* const shadows =
@@ -436,6 +465,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     }
     s.count_work();
     s.stats.stencil_bytes = s.marks != nullptr ? s.marks->bytes() : 0;
+    s.stats.occlusion_bytes = s.ambient != nullptr ? s.ambient->bytes() : 0;
     s.stats.annotation_bytes = s.annotations != nullptr ? s.annotations->bytes() : 0;
     s.stats.mipmap_bytes = s.mips.bytes();
     s.stats.splat_bytes = s.splats.bytes();

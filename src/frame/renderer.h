@@ -30,6 +30,7 @@ struct FrameStats {
     // tile order.
     std::size_t blend_list_bytes = 0;
     std::uint64_t shadow_bytes = 0;     // held by the shadow pass
+    std::uint64_t occlusion_bytes = 0;  // held by ambient occlusion; 0 where there is none
     std::uint64_t stencil_bytes = 0;    // held; 0 where nothing is marked
     std::uint64_t annotation_bytes = 0; // held; 0 where nothing is drawn over the shading
     std::uint64_t mipmap_bytes = 0;     // held; 0 where no texture is minified

@@ -73,6 +73,7 @@ Result<void> Explainer::begin() {
     // How many maps, polygons and blended fragments there are depends on the view.
     const frame::FrameStats& stats = renderers_.a().stats();
     if (stats.shadow_bytes > 0) bytes["shadow"] = stats.shadow_bytes;
+    if (stats.occlusion_bytes > 0) bytes["ambient_occlusion"] = stats.occlusion_bytes;
     if (stats.blend_list_bytes > 0) bytes["blending"] = stats.blend_list_bytes;
     if (stats.splat_bytes > 0) bytes["aa"] = stats.splat_bytes;
     for (const frame::Decision& decision : plan_.decisions) {

@@ -38,7 +38,8 @@ std::vector<std::string_view> ladder_axes() {
 frame::FrameOptions without_rungs(const frame::FrameOptions& options) {
     frame::FrameOptions plain = options;
     for (const std::string_view axis : ladder_axes())
-        if (is_rung(axis, frame::asked_for(options, axis))) frame::ask(plain, axis, "auto");
+        if (axis != kOnRequest && is_rung(axis, frame::asked_for(options, axis)))
+            frame::ask(plain, axis, "auto");
     return plain;
 }
 
@@ -47,6 +48,11 @@ Ladder ladder_of(const Points& points, std::string_view axis) {
     const std::string asked = frame::asked_for(points.options(), axis);
     if (!frame::is_auto(asked) && !is_rung(axis, asked)) {
         made.left_out = fmt::format("{} is a choice, and no rung draws its picture", asked);
+        return made;
+    }
+    if (axis == kOnRequest && (frame::is_auto(asked) || asked == rungs_on(axis).front())) {
+        made.left_out = fmt::format("it comes only on request, as by --{} {}",
+                                    frame::option_of(axis), rungs_on(axis).back());
         return made;
     }
     for (const std::string_view technique : rungs_on(axis))

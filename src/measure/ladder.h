@@ -31,8 +31,12 @@ struct Ladder {
 // The axes with rungs to choose from, in the order of techniques.h.
 std::vector<std::string_view> ladder_axes();
 
+// The axis whose pictures are of another look than those of its first rung, which is what the plan
+// chooses by itself: it has a ladder where another one is asked for.
+inline constexpr std::string_view kOnRequest = "ambient_occlusion";
+
 // What is asked for, but for rungs: of each axis the technique that the plan would choose by
-// itself. Models and filters stay, for the reference knows them.
+// itself. Models and filters stay, and what comes only on request, for the reference knows them.
 frame::FrameOptions without_rungs(const frame::FrameOptions& options);
 
 // The rungs of an axis, none of them drawn.

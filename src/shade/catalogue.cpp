@@ -1,5 +1,6 @@
 // Tables of all stages together, and of the materials' maps.
 #include "rows.h"
+#include "shade/ambient_occlusion.h"
 #include "shade/colour_by.h"
 #include "shade/stage.h"
 

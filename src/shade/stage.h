@@ -149,6 +149,7 @@ struct BlendedPixels;
 struct VertexLighting;
 struct ShadingSetup;
 struct LightShadow;
+struct OcclusionImage;
 struct TileShadow;
 
 struct ShadingBlock {
@@ -157,7 +158,8 @@ struct ShadingBlock {
     const Stage* model = nullptr; // how the material reflects
     DVec2 uv_step{0}; // how far u and v may move (scene/uv_step.h); 0: not at all, or not asked for
     BoundMap map[kMaps];
-    bool lit = true; // false: lines and points, drawn in their plain colour; there are no runs
+    bool lit = true;      // false: lines and points, drawn in their plain colour; there are no runs
+    bool occluded = true; // false: blended surfaces, which ambient occlusion does not darken
 
     // Set by the gatherer. x, y: the sample that stands for the item's pixel, 1/256 pixel: at the
     // centre if the triangle covers it, else where it shows.
@@ -247,9 +249,9 @@ struct FrameState {
     // Of each light: differs from item to item, as do points, spots and all that is shadowed.
     // Empty: none does.
     std::span<const bool> varies;
-    const Filter* filter = nullptr; // how maps are read; null where no stage reads one
-    std::span<const Vec3> triangle_colours;    // in place of light, where colours say something else
-    float farthest = 0, codes_a_unit = 0;      // of depth as a colour: times scene::to_floats
+    const Filter* filter = nullptr;         // how maps are read; null where no stage reads one
+    std::span<const Vec3> triangle_colours; // in place of light, where colours say something else
+    float farthest = 0, codes_a_unit = 0;   // of depth as a colour: times scene::to_floats
     const Source* source = nullptr; // what map_Kd is, instead of the picture that the file names
     bool mapped = false;            // a mapping stage writes u and v; they are not the model's
     std::array<const Stage*, scene::kSurfaces> reflection{}; // [Surface]
@@ -263,9 +265,16 @@ struct FrameState {
     bool vertex_normals = false;                 // vertices' normals are unit, in view space
     std::span<const Stage* const> vertex_lights; // the light stages that run over vertices
     const LightShadow* shadows = nullptr;        // of each light; null: none casts
-    int shadow_filter = 3;                       // texels a side that a filtered shadow asks
-    const StepLimits* steps = nullptr;           // of adaptive interpolation; null where none is
-    bool exact_uv = false;                       // large u and v are mixed in double
+    const OcclusionImage* occlusion = nullptr;   // of ambient light; null: nothing hides it
+    // By material, the default one last: 1 where it is blended. Empty: nowhere.
+    std::span<const std::uint8_t> blends;
+    bool is_blended(std::int32_t material) const { // -1: the default one
+        return !blends.empty() &&
+               blends[material < 0 ? blends.size() - 1 : static_cast<std::size_t>(material)] != 0;
+    }
+    int shadow_filter = 3;             // texels a side that a filtered shadow asks
+    const StepLimits* steps = nullptr; // of adaptive interpolation; null where none is
+    bool exact_uv = false;             // large u and v are mixed in double
     // No stage asks for runs' primitives: items may have triangles of their own.
     bool per_item_setup = false;
     float exposure = 1; // what light is multiplied by before it is shown

@@ -59,6 +59,10 @@ std::vector<Subject> subjects() {
     dark.options.exposure = -4;
     for (const char* const axis : {"encode", "dither"})
         all.push_back({dark.name, axis, {dark}});
+    Shot folds = test::shipped("suzanne/suzanne.obj", 120, 90);
+    folds.options.lights = {test::light_of(scene::LightKind::ambient, 0.8)};
+    folds.options.ambient_occlusion = "gtao_16";
+    all.push_back(turned(folds, "ambient_occlusion"));
     all.push_back({"crossing planes", "depth", {test::depth_kept("", "auto")}});
     all.push_back(turned(spot(), ""));
     all.push_back(turned(test::shipped("suzanne/suzanne.obj", 80, 60), ""));

@@ -43,8 +43,12 @@ def techniques_by_word(root):
             code = re.sub(r"//.*", "", file.read())
         for word in set(re.findall(r"\w+", code)):
             files[module, axis, word].add(name)
+    def is_technique(module, axis, name):  # what has a header beside it is a helper of the axis
+        path = os.path.join(root, "src", module, axis, name)
+        return name.endswith(".cpp") and not os.path.isfile(path.removesuffix("cpp") + "h")
+
     return {key: f"{key[1]}/{name[:-len('.cpp')]}" for key, (name, *others) in files.items()
-            if not others and name.endswith(".cpp")}
+            if not others and is_technique(*key[:2], name)}
 
 
 def owner(name, by_word):

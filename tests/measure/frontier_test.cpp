@@ -89,6 +89,8 @@ TEST(Ladder, AReferenceKeepsModelsAndFilters) {
     EXPECT_EQ(plain.tone, "filmic");
     asked.aa = "tent";
     EXPECT_EQ(without_rungs(asked).aa, "tent");
+    asked.ambient_occlusion = "gtao_4"; // comes only on request
+    EXPECT_EQ(without_rungs(asked).ambient_occlusion, "gtao_4");
 }
 
 // Each rung's error is that of the picture that the option draws.

@@ -87,6 +87,11 @@ const Case kCases[] = {
          o.lights = {sun(), spot()};
          o.shadow = "map";
      }},
+    {"ambient occlusion", "suzanne/suzanne.obj",
+     [](FrameOptions& o) {
+         o.samples = 4;
+         o.ambient_occlusion = "gtao_4";
+     }},
     {"overdraw", "spot/spot.obj", [](FrameOptions& o) { o.stencil = "overdraw"; }},
     {"low-pass", "spot/spot.obj", [](FrameOptions& o) { o.convolution = "low_pass"; }},
     {"facets", "angle_block/angle_block.stl", [](FrameOptions& o) { o.aa = "area"; }},

@@ -56,6 +56,35 @@ inline Shot bowl(std::string name, frame::Cull cull) {
     return s;
 }
 
+// A floor with thin posts, in light from everywhere alone.
+inline Shot thicket(std::string name) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {plain(Vec3(0.8F))};
+    geom::Mesh& mesh = s.scene.mesh;
+    add_quad(mesh, {Vec3(-1, -0.3F, 1), {1, -0.3F, 1}, {1, -0.3F, -1}, {-1, -0.3F, -1}}, {0, 1, 0},
+             0);
+    for (int post = 0; post < 16; ++post) {
+        const int row = post / 4, column = post % 4;
+        const float width = (row + column) % 2 == 0 ? 0.06F : 0.16F;
+        const float height = 0.1F * static_cast<float>((column + 2 * row) % 4 + 1);
+        const std::size_t first = mesh.position.size();
+        add_cube(mesh, 1, 0);
+        for (std::size_t i = first; i < mesh.position.size(); ++i) {
+            const Vec3 p = mesh.position[i];
+            mesh.position[i] = {width / 2 * p.x - 0.75F + 0.5F * static_cast<float>(column),
+                                height / 2 * (p.y + 1) - 0.3F,
+                                width / 2 * p.z - 0.75F + 0.5F * static_cast<float>(row)};
+        }
+    }
+    mesh.uv.clear();
+    scene::Light ambient;
+    ambient.kind = scene::LightKind::ambient;
+    s.options.lights = {ambient};
+    s.camera.azimuth_degrees = 25;
+    s.camera.elevation_degrees = 35;
+    return s;
+}
+
 inline Shot glossy(std::string name, const std::string& reflection) {
     Shot s = shot(std::move(name));
     s.scene.materials = {plain({0.7F, 0.35F, 0.1F}, Vec3(0.9F), 40)};
@@ -438,6 +467,10 @@ inline std::vector<Shot> golden_shots() {
     std::optional<geom::Mesh> whole;
     scene::put_section(alone, scene::SectionSpec{.normal = {0.4, 0.1, 1}, .offset = 0.15},
                        shots.back().scene, whole);
+    for (const std::string& name : names_on("ambient_occlusion")) {
+        shots.push_back(thicket("ambient_occlusion_" + name));
+        shots.back().options.ambient_occlusion = name;
+    }
     shots.push_back(solids("annotations"));
     shots.back().scene.mesh.box_min = {-0.45, -0.45, -0.45};
     shots.back().scene.mesh.box_max = {0.85, 0.75, 0.7};

@@ -28,6 +28,11 @@ void ShadingInput::set_frame(const ShadingSource& from) {
     frame_.vertex_normals = plan.vertex_normals;
     frame_.vertex_lights = plan.vertex_lights;
     frame_.shadows = from.shadows;
+    frame_.occlusion = from.occlusion;
+    const std::vector<raster::AlphaMode>& modes = plan.transparency.alpha_modes;
+    for (std::size_t i = 0; i < modes.size() && from.occlusion != nullptr; ++i)
+        blends_.push_back(modes[(i + 1) % modes.size()] == raster::AlphaMode::blended ? 1 : 0);
+    frame_.blends = blends_;
     frame_.shadow_filter = plan.options.shadow_filter;
     frame_.source = plan.source;
     frame_.triangle_colours = from.triangle_colours;

@@ -27,10 +27,11 @@ struct ShadingSource {
     const raster::Geometry& geometry;
     const raster::ScreenTransform& transform;
     const shade::MipChains& mips;
-    const shade::AddedLines* added = nullptr;    // null: none
-    std::span<const Vec3> triangle_colours = {}; // of frames that colour by a fact
-    const shade::LightShadow* shadows = nullptr; // of each light; null: none casts
-    shade::LinearPicture* linear = nullptr;      // also filled, unless null
+    const shade::AddedLines* added = nullptr;         // null: none
+    std::span<const Vec3> triangle_colours = {};      // of frames that colour by a fact
+    const shade::LightShadow* shadows = nullptr;      // of each light; null: none casts
+    const shade::OcclusionImage* occlusion = nullptr; // of frames that have it
+    shade::LinearPicture* linear = nullptr;           // also filled, unless null
 };
 
 class ShadingInput {
@@ -47,6 +48,7 @@ private:
 
     std::optional<shade::StepLimits> steps_;
     std::vector<DVec2> uv_steps_;
+    std::vector<std::uint8_t> blends_;
     shade::FrameState frame_;
     shade::TransparencyInput transparency_;
     shade::GatherInput gather_;

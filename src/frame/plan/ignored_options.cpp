@@ -31,13 +31,16 @@ std::string nothing(const std::string& option, const std::string& because) {
     return fmt::format("{} changes nothing: {}", option, because);
 }
 
-// Effects that are forced on, and a shadow that has a name.
+// Effects that are forced on, and those whose technique is asked for by name.
 void add_effect(const FramePlan& plan, const Decision& d, Lines& lines) {
     const FrameOptions& o = plan.options;
     const bool on = asked_on(o, d.effect);
-    if (d.effect == "shadow" && !is_auto(o.shadow) && !(d.needed && d.on()))
-        lines.push_back(taken_out(plan, "shadow")
-                            ? nothing("--shadow " + o.shadow, why_off(plan, "shadow", ""))
+    const bool named = d.effect == "shadow" || d.effect == "ambient_occlusion";
+    const std::string asked = named ? asked_for(o, d.effect) : "auto";
+    if (!is_auto(asked) && !(d.needed && d.on()))
+        lines.push_back(taken_out(plan, d.effect)
+                            ? nothing(fmt::format("--{} {}", option_of(d.effect), asked),
+                                      why_off(plan, d.effect, ""))
                             : to_string(d));
     else if (on && !d.on())
         lines.push_back(nothing(fmt::format("--effect {}=on", d.effect), d.because));

@@ -10,6 +10,7 @@
 #include "frame/stencil.h"
 #include "image/convolution.h"
 #include "raster/culling/cull.h"
+#include "shade/ambient_occlusion.h"
 #include "shade/colour_by.h"
 #include "shade/resolve/output.h"
 #include "shade/stage.h"
@@ -103,7 +104,7 @@ struct FramePlan {
     const Stencil* stencil = nullptr; // null: there is no buffer of marks either
     AnnotationPlan annotations;
     const shade::ColourBy* colours = nullptr; // what colours say in place of light; null: light
-    raster::DepthRule depth_rule; // which of several surfaces is visible
+    raster::DepthRule depth_rule;             // which of several surfaces is visible
     // How each kind of surface reflects: what the shading stage calls.
     std::array<const shade::Stage*, scene::kSurfaces> reflection{};
     // As in MaterialSet: 1 where maps leave no highlight, whatever the material says. Empty:
@@ -115,11 +116,12 @@ struct FramePlan {
     bool vertex_normals = false;
     shade::Sides sides = shade::Sides::eye;
     ShadowPlan shadow;
-    std::optional<std::int32_t> only_material; // of all that is drawn, which is triangles
-    std::vector<shade::MipUse> mips;           // the textures that have mipmaps in this frame
-    std::optional<shade::Wrap> wrap;           // of all textures; else as each map says
-    const shade::Source* source = nullptr;     // what map_Kd is instead of its picture
-    bool mapped = false;                       // u and v are made, not the model's
+    const shade::AmbientOcclusion* occlusion = nullptr; // null: none, and no pass either
+    std::optional<std::int32_t> only_material;          // of all that is drawn, which is triangles
+    std::vector<shade::MipUse> mips;       // the textures that have mipmaps in this frame
+    std::optional<shade::Wrap> wrap;       // of all textures; else as each map says
+    const shade::Source* source = nullptr; // what map_Kd is instead of its picture
+    bool mapped = false;                   // u and v are made, not the model's
     bool lacks_uv = false; // no map is read, for the model has no coordinates and none are made
     std::vector<Decision> decisions; // one for each effect and axis, in a fixed order
 

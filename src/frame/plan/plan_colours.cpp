@@ -47,6 +47,7 @@ void plan_false_colours(FramePlan& plan) {
     plan.vertex_lights.clear();
     plan.vertex_normals = false;
     plan.shadow = {};
+    plan.occlusion = nullptr;
     plan.transparency = {};
     plan.exposure = plan.white = 1;
     plan.wrap.reset();

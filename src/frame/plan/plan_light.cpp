@@ -213,6 +213,7 @@ Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& fac
     plan_sides(planner, plan, facts, view);
     TRY_VOID(plan_reflection(planner, plan, facts, *shading));
     TRY_VOID(plan_shadows(planner, plan, facts, view, of_lights, *shading));
+    TRY_VOID(plan_ambient_occlusion(planner, plan, facts, view, *shading));
     const bool directed = normals_matter(plan);
     const bool lit = why_unlit(plan, facts) == nullptr;
     planner.choice("shading", lit ? shading->card.name : "off", asked,

@@ -83,6 +83,9 @@ Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& fac
 Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& facts,
                           const ViewFacts& view, const std::vector<LightFacts>& of_lights,
                           const shade::Stage& shading);
+// Ambient occlusion, which comes only on request.
+Result<void> plan_ambient_occlusion(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                                    const ViewFacts& view, const shade::Stage& shading);
 // The other maps, and light of the surfaces' own; after the light and the highlights are decided.
 void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 // Which materials are cut out or blended, and how alpha is found.

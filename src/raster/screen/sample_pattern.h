@@ -67,4 +67,35 @@ constexpr std::span<const SampleOffset> sample_pattern(int samples) {
     }
 }
 
+namespace detail {
+template <std::size_t kCount>
+constexpr std::array<SampleOffset, kCount + 1>
+and_centre(const std::array<SampleOffset, kCount>& pattern) {
+    std::array<SampleOffset, kCount + 1> all{};
+    std::copy(pattern.begin(), pattern.end(), all.begin());
+    all.back() = kPixelCentre;
+    return all;
+}
+inline constexpr auto kTwoAndCentre = and_centre(kTwo);
+inline constexpr auto kFourAndCentre = and_centre(kFour);
+inline constexpr auto kEightAndCentre = and_centre(kEight);
+inline constexpr auto kSixteenAndCentre = and_centre(kSixteen);
+} // namespace detail
+
+// The same places, and the pixel's centre.
+constexpr std::span<const SampleOffset> pattern_and_centre(int samples) {
+    switch (samples) {
+    case 2:
+        return detail::kTwoAndCentre;
+    case 4:
+        return detail::kFourAndCentre;
+    case 8:
+        return detail::kEightAndCentre;
+    case 16:
+        return detail::kSixteenAndCentre;
+    default:
+        return sample_pattern(samples);
+    }
+}
+
 } // namespace scanout::raster

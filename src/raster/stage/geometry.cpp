@@ -28,12 +28,15 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     height_ = options.height;
     grid_ = {std::countr_zero(static_cast<unsigned>(size)), (width_ + size - 1) / size};
     down_ = (height_ + size - 1) / size;
+    const auto pattern = options.areas     ? std::span<const SampleOffset>()
+                         : options.centres ? pattern_and_centre(options.samples)
+                                           : sample_pattern(options.samples);
     cull_ = {width_,
              height_,
              options.keep,
              options.mirrored,
-             options.areas ? SampleExtent{} : extent_of(sample_pattern(options.samples)),
-             options.areas ? std::span<const SampleOffset>() : sample_pattern(options.samples)};
+             options.areas ? SampleExtent{} : extent_of(pattern),
+             pattern};
     mesh_ = &mesh;
     first_line_ =
         options.first_line > 0 ? options.first_line : static_cast<std::uint32_t>(mesh.triangles());

@@ -47,6 +47,7 @@ struct GeometryOptions {
     // tiles are drawn by draw() or draw_triangles() into a VisibilityTile, by the default depth
     // rule. Not with alpha modes.
     OcclusionHistory* occlusion = nullptr;
+    bool centres = false; // tiles of one sample will be drawn as well
 };
 
 class Geometry {
@@ -92,6 +93,8 @@ public:
     // The clipped triangles of a triangle that has a vertex off the screen.
     ClippedTriangles clipped_of(std::uint32_t triangle) const;
     std::uint64_t triangles_drawn() const; // after the tiles are drawn: deferred ones count
+    // The tiles are drawn once more: what they count begins anew.
+    void draw_again() { deferred_drawn_ = 0; }
     // No triangle that may be visible has a vertex off the screen.
     bool all_unclipped() const;
 

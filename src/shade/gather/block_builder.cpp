@@ -136,6 +136,7 @@ void BlockBuilder::begin_key(const Task& task, const ShadingKey& key) {
     key_ = key;
     b.lit = key.lit;
     b.material = &task.in.material(key.material);
+    b.occluded = !task.in.frame->is_blended(key.material);
     b.uv_step = task.in.uv_step(key.material);
     const bool matt = !b.lit || task.in.frame->is_matt(key.material);
     const auto surface = matt ? scene::Surface::matt : surface_of(*b.material);
