@@ -325,7 +325,10 @@ void Renderer::State::find_occlusion(const FrameInput& input, const shade::Gathe
         geometry.draw_triangles(tile, worker.visibility, &worker.deferred);
         if (in.transparency != nullptr && in.transparency->cut_out != nullptr)
             worker.transparency->cut_out(geometry, tile, in, worker.visibility);
-        ambient->take(worker.visibility);
+        const bool elsewhere = in.transparency != nullptr && in.transparency->opaque_blended;
+        ambient->take(elsewhere
+                          ? worker.transparency->opaque_base(geometry, tile, worker.visibility)
+                          : worker.visibility);
     });
     geometry.draw_again();
     ambient->find(jobs, *input.plan.occlusion);

@@ -30,7 +30,8 @@ void ShadingInput::set_frame(const ShadingSource& from) {
     frame_.shadows = from.shadows;
     frame_.occlusion = from.occlusion;
     const std::vector<raster::AlphaMode>& modes = plan.transparency.alpha_modes;
-    for (std::size_t i = 0; i < modes.size() && from.occlusion != nullptr; ++i)
+    const bool some = from.occlusion != nullptr && !plan.transparency.opaque_blended;
+    for (std::size_t i = 0; i < modes.size() && some; ++i)
         blends_.push_back(modes[(i + 1) % modes.size()] == raster::AlphaMode::blended ? 1 : 0);
     frame_.blends = blends_;
     frame_.shadow_filter = plan.options.shadow_filter;
