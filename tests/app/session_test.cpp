@@ -404,7 +404,7 @@ private:
 
 TEST_F(Session, AConsoleThatComesBackIsDrawnAtOnceEvenIfNothingChanged) {
     FlakyDisplay display;
-    TimedInput timed({{200ms, {press(XKB_KEY_z)}}, {200ms, {press(XKB_KEY_z)}}, {300ms, {quit()}}});
+    TimedInput timed({{200ms, {press(XKB_KEY_0)}}, {200ms, {press(XKB_KEY_0)}}, {300ms, {quit()}}});
     SwitchingInput input(timed, display);
     auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
     ASSERT_TRUE((*session)->run());
