@@ -2,8 +2,10 @@
 
 #include <cerrno>
 
+#include <linux/kd.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -11,9 +13,13 @@
 namespace scanout::console {
 namespace {
 
-// libseat's server restores the console, too, when its client is gone. Not both at once; and it
-// leaves the switching to itself, which is about to end: so ours is the last word.
+// libseat's server restores the console, too, when its client is gone: it has the first try.
 constexpr int kSoonMs = 50, kLateMs = 10'000;
+
+bool shows_text(int console) {
+    int mode = KD_GRAPHICS;
+    return ::ioctl(console, KDGETMODE, &mode) == 0 && mode == KD_TEXT;
+}
 
 // -1 where there is no such process, or the kernel is older than 5.3: then the pipe tells.
 int pidfd_of(pid_t process) {
@@ -47,8 +53,10 @@ void watch(int pipe, const ConsoleState& console, const Watched& watched) {
     if (says_farewell(pipe, program)) ::_exit(0);
     pollfd end{server, POLLIN, 0};
     const bool serves = server >= 0 && ::poll(&end, 1, kSoonMs) == 0;
-    restore_console(console);
-    if (serves && ::poll(&end, 1, kLateMs) == 1) restore_console(console);
+    if (server < 0 || !shows_text(console.fd)) restore_console(console);
+    // It leaves the switching to itself, and ends: the last word is ours.
+    if (serves) ::poll(&end, 1, kLateMs);
+    restore_switching(console);
     ::_exit(0);
 }
 

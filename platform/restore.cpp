@@ -67,11 +67,16 @@ void restore_modes(const ConsoleState& state) {
     ::ioctl(state.fd, KDSETMODE, KD_TEXT);
 }
 
-void restore_console(const ConsoleState& state) {
-    restore_modes(state);
+void restore_switching(const ConsoleState& state) {
+    ::ioctl(state.fd, KDSKBMODE, state.keyboard_mode);
     vt_mode automatic{};
     automatic.mode = VT_AUTO;
     ::ioctl(state.fd, VT_SETMODE, &automatic);
+}
+
+void restore_console(const ConsoleState& state) {
+    restore_modes(state);
+    restore_switching(state);
 }
 
 void remember_console(const ConsoleState& state) {

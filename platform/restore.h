@@ -15,7 +15,9 @@ struct ConsoleState {
 // Keyboard mode and text mode, in the order that also revives a screen which the kernel believes to
 // be in text mode but has not redrawn: GRAPHICS, then TEXT.
 void restore_modes(const ConsoleState& state);
-// These, and switching without asking us.
+// Keyboard mode, and switching without asking us: a console that shows text stays as it is.
+void restore_switching(const ConsoleState& state);
+// All of it.
 void restore_console(const ConsoleState& state);
 
 // What restore_now() undoes. Handlers for SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSYS, SIGTRAP
