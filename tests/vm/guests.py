@@ -177,6 +177,7 @@ def check_text(guest, before, how, check):
 def check_console(guest, before, how, check):
     """The console as it was before the viewer: its text, and a keyboard that writes on it, with no key left over."""
     after = check_text(guest, before, how, check)
+    guest.sh("until vm_helper mode /dev/tty1 | grep -q 'text on'; do usleep 10000; done")
     guest.sh("(head -n 1 </dev/tty1 | sed 's/^/@typed /') &")
     for name in ("o", "k", "ret"):
         guest.key(name)
@@ -243,7 +244,10 @@ class Session:
         check_console(self.guest, self.text, how, self.check)
 
     def shows_first_picture(self, when):
-        shot = self.guest.photograph(when.replace(" ", "-"))
+        shot, patience = self.guest.photograph(when.replace(" ", "-")), time.monotonic() + 5
+        while shot != self.first_picture and time.monotonic() < patience:
+            time.sleep(0.2)
+            shot = self.guest.photograph(when.replace(" ", "-"))
         self.check(shot == self.first_picture, f"{when}: the viewer shows its first picture",
                    picture.differences(shot, self.first_picture))
 

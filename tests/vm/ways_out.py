@@ -17,6 +17,11 @@ def mode(guest):
     return guest.sh("vm_helper mode /dev/tty1").split()
 
 
+def wait_for_devices(guest):
+    """Until the viewer has its keyboard and its mouse open again: keys pressed earlier go elsewhere."""
+    guest.sh(f"until [ $(ls -l /proc/{FIRST}/fd | grep -c input/event) = 2 ]; do usleep 20000; done")
+
+
 def killed_by_name(guest, session):
     """The guard has a name of its own, so that it lives."""
     for how in ("killall -9 scanout", "kill -9 $(pidof scanout)"):
@@ -70,6 +75,7 @@ def stopped_and_continued(guest, session):
     guest.sh(f"kill -CONT {FIRST}")
     viewer.shown()
     session.shows_first_picture("after SIGCONT")
+    wait_for_devices(guest)
     guest.key("q")
     session.check(viewer.exit_status() == 0, "Q ends the viewer after SIGCONT")
     session.console_is_back("SIGCONT and Q")
@@ -83,8 +89,8 @@ def switched_away_and_back(guest, session):
         guest.sh("n=0; while [ $n -lt 12 ]; do chvt 2; [ $((n % 3)) = 0 ] && usleep 30000; chvt 1; n=$((n+1)); done")
         guest.sh("chvt 2")
         guest.sh("chvt 1")
-        guest.wait(r"^settled$")
         session.shows_first_picture(f"after switches with {name}")
+        wait_for_devices(guest)
         guest.key("q")
         session.check(viewer.exit_status() == 0, f"Q ends the viewer after switches with {name}")
         session.console_is_back(f"switches with {name}")
