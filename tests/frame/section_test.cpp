@@ -84,6 +84,54 @@ TEST(Section, GoesWithoutATrace) {
     EXPECT_TRUE(draw(s) == before);
 }
 
+// What a renderer keeps of a mesh does not outlive a section of as many triangles.
+TEST(Section, IsFollowedByARendererThatKeepsData) {
+    Shot s = shot("two balls", 120, 120);
+    s.scene.materials = {plain({0.8F, 0.6F, 0.5F})};
+    add_sphere(s.scene.mesh, {-0.35F, 0, 0}, 0.55F, 24, 12, 0);
+    add_sphere(s.scene.mesh, {0.35F, 0.1F, 0}, 0.55F, 24, 12, 0);
+    s.scene.mesh.uv.clear();
+    s.scene.mesh.box_min = DVec3(-0.9, -0.7, -0.55);
+    s.scene.mesh.box_max = DVec3(0.9, 0.7, 0.55);
+    s.scene.revision = 77;
+    const auto with = [&](const auto& change) {
+        frame::FrameOptions options = s.options;
+        change(options);
+        return options;
+    };
+    const frame::FrameOptions kept[] = {with([](auto& o) {
+                                            o.lights = {light_of(scene::LightKind::ambient, 0.8)};
+                                            o.ambient_occlusion = "gtao_4";
+                                        }),
+                                        with([](auto& o) {
+                                            o.shadow = "map";
+                                            o.lights.front().casts = true;
+                                        }),
+                                        with([](auto& o) { o.colour_by = "part"; }),
+                                        with([](auto& o) { o.edges = "all"; })};
+    Jobs jobs(2);
+    for (const frame::FrameOptions& options : kept) {
+        frame::Renderer renderer(jobs);
+        std::optional<geom::Mesh> whole;
+        std::size_t triangles = 0;
+        for (const bool low : {false, true}) {
+            scene::put_section(jobs, SectionSpec{.axis = SectionAxis::z, .low = low}, s.scene,
+                               whole);
+            if (low) {
+                ASSERT_EQ(s.scene.mesh.triangles(), triangles);
+            }
+            triangles = s.scene.mesh.triangles();
+            const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {},
+                                               options.width, options.height);
+            const auto plan = frame::plan(options, frame::facts(s.scene));
+            frame::Renderer fresh(jobs);
+            EXPECT_TRUE(renderer.render(s.scene, *view, *plan) ==
+                        fresh.render(s.scene, *view, *plan));
+        }
+        scene::put_section(jobs, {}, s.scene, whole);
+    }
+}
+
 TEST(Section, HasARowInThePlanThatSaysWhatWasCut) {
     std::optional<geom::Mesh> whole;
     const auto row = [](const Shot& s) {

@@ -56,8 +56,9 @@ void AmbientOcclusionPass::begin(Jobs& jobs, const scene::Scene& scene, const sc
                                  int width, int height) {
     set_size(width, height);
     const geom::Mesh& mesh = scene.mesh;
-    if (scene.revision == 0 || scene.revision != revision_ || normals_.size() != mesh.triangles()) {
-        revision_ = scene.revision;
+    const std::uint64_t revision = scene.mesh_revision();
+    if (revision == 0 || revision != revision_ || normals_.size() != mesh.triangles()) {
+        revision_ = revision;
         normals_.resize(mesh.triangles());
         constexpr std::size_t kPart = 4096;
         jobs.for_each(static_cast<int>((normals_.size() + kPart - 1) / kPart), [&](int part, int) {
