@@ -5,6 +5,7 @@
 #include "geom/join_table.h"
 #include "geom/line_faces.h"
 #include "geom/outlines.h"
+#include "geom/plane_coordinates.h"
 #include "math/bits.h"
 #include "math/predicates.h"
 
@@ -32,23 +33,6 @@ struct HashOfPosition {
 DVec3 unit(const DVec3& v) {
     return v / std::sqrt(dot3(v, v));
 }
-
-// The plane's points by two of their coordinates: along its normal's largest axis, seen from its
-// front.
-class PlaneCoordinates {
-public:
-    explicit PlaneCoordinates(const DVec3& normal) {
-        const DVec3 size(magnitude(normal.x), magnitude(normal.y), magnitude(normal.z));
-        const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
-        u_ = (axis + 1) % 3;
-        v_ = (axis + 2) % 3;
-        if (normal[axis] < 0) std::swap(u_, v_);
-    }
-    DVec2 operator()(const Vec3& p) const { return {p[u_], p[v_]}; }
-
-private:
-    int u_, v_;
-};
 
 class Cutter {
 public:
@@ -192,8 +176,8 @@ private:
 
     // Of a triangle in the plane.
     bool looks_to_front(const std::uint32_t* v) const {
-        return orient2d(in_plane_(in_.position[v[0]]), in_plane_(in_.position[v[1]]),
-                        in_plane_(in_.position[v[2]])) > 0;
+        return orient2d(in_plane_(DVec3(in_.position[v[0]])), in_plane_(DVec3(in_.position[v[1]])),
+                        in_plane_(DVec3(in_.position[v[2]]))) > 0;
     }
 
     // The part behind the plane: a triangle, or a quadrilateral of two.
@@ -283,7 +267,7 @@ private:
         std::vector<DVec2> points;
         points.reserve(places_.size());
         for (const Vec3& place : places_)
-            points.push_back(in_plane_(place));
+            points.push_back(in_plane_(DVec3(place)));
         const Outlines outlines = find_outlines(points, edges);
         result_.edges = edges.size();
         result_.open_edges = outlines.open_edges;

@@ -1,5 +1,6 @@
 #include "geom/triangulate.h"
 
+#include "geom/plane_coordinates.h"
 #include "geom/point_tree.h"
 #include "math/predicates.h"
 
@@ -17,23 +18,6 @@ DVec3 newell_normal(std::span<const DVec3> polygon) {
 }
 
 namespace {
-
-// Along the largest axis of the normal, so that the area cannot vanish; the other two axes are
-// taken in the order that makes the polygon counter-clockwise.
-class Projection {
-public:
-    explicit Projection(const DVec3& normal) {
-        const DVec3 size(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
-        const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
-        u_ = (axis + 1) % 3;
-        v_ = (axis + 2) % 3;
-        if (normal[axis] < 0) std::swap(u_, v_);
-    }
-    DVec2 operator()(const DVec3& p) const { return {p[u_], p[v_]}; }
-
-private:
-    int u_, v_;
-};
 
 // True of convex outlines, and of some that cross themselves: no cut of those is right. Corners on
 // a straight edge do not turn: a fan would make a T-junction of them.
@@ -265,7 +249,7 @@ void triangulate(std::span<const DVec3> polygon, std::vector<std::uint32_t>& out
     std::array<DVec2, 16> few; // most polygons are small: no allocation for those
     std::vector<DVec2> many(n > few.size() ? n : 0);
     const std::span<DVec2> points(n > few.size() ? many.data() : few.data(), n);
-    const Projection project(newell_normal(polygon));
+    const PlaneCoordinates project(newell_normal(polygon));
     for (std::size_t i = 0; i < n; ++i)
         points[i] = project(polygon[i]);
     cut(points, out);

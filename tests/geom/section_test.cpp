@@ -27,7 +27,11 @@ Mesh built(PolygonMesh polygons) {
     return build_mesh(std::move(polygons), {}, "test", warnings).mesh;
 }
 
-void append(PolygonMesh& to, const PolygonMesh& from, bool turned = false) {
+constexpr std::size_t kNoFace = SIZE_MAX;
+
+// `without`: a face that stays out.
+void append(PolygonMesh& to, const PolygonMesh& from, bool turned = false,
+            std::size_t without = kNoFace) {
     const auto first = static_cast<std::int32_t>(to.positions.size());
     to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
     for (std::size_t f = 0; f < from.faces(); ++f) {
@@ -35,7 +39,7 @@ void append(PolygonMesh& to, const PolygonMesh& from, bool turned = false) {
         for (std::size_t c = from.face_begin[f]; c < from.face_end(f); ++c)
             corners.push_back(first + from.corners[c].position);
         if (turned) std::reverse(corners.begin(), corners.end());
-        testing::add_face(to, corners);
+        if (f != without) testing::add_face(to, corners);
     }
 }
 
@@ -265,15 +269,8 @@ TEST(Section, OpenSurfacesAreCappedWhereTheyCloseAndSayWhereTheyDoNot) {
 // A box without a lid whose rim lies in the plane is open there, whatever rises beside it.
 TEST(Section, ARimInThePlaneIsNotCapped) {
     PolygonMesh both = testing::cube(0.5, DVec3(-2, 0, 0));
-    const PolygonMesh box = testing::cube(0.5, DVec3(2, 0, -0.5));
-    const auto first = static_cast<std::int32_t>(both.positions.size());
-    both.positions.insert(both.positions.end(), box.positions.begin(), box.positions.end());
-    for (std::size_t f = 0; f < box.faces(); ++f) {
-        std::vector<std::int32_t> corners;
-        for (std::size_t c = box.face_begin[f]; c < box.face_end(f); ++c)
-            corners.push_back(first + box.corners[c].position);
-        if (f != 1) testing::add_face(both, corners); // 1: the side at the greatest z
-    }
+    append(both, testing::cube(0.5, DVec3(2, 0, -0.5)), false,
+           1); // without the side at the greatest z
     const Mesh mesh = built(std::move(both));
     const auto rim = static_cast<float>(std::ldexp(0 - mesh.centre.z, -mesh.exponent));
     const auto found = cut_by_plane(jobs(), mesh, {{0, 0, 1}, rim}, kCap);
