@@ -68,11 +68,10 @@ Result<void> Console::refuse_if_drawn_on() const {
     if (!in_graphics_mode()) return {};
     const std::string card = card_with_another_master();
     if (card.empty()) return {};
-    const std::string holders = holders_of(card);
     return fail(Exit::no_display,
-                "tty{}: another program draws there{}: switch to a text console (Ctrl-Alt-F3) and "
-                "start scanout again",
-                number_, holders.empty() ? "" : fmt::format(" ({})", holders));
+                "tty{}: another program draws there{}: quit it, or switch to a text console "
+                "(Ctrl-Alt-F3)",
+                number_, held_by(card));
 }
 
 // A name in the kernel's abstract socket space: taken at once or not at all, and free again when

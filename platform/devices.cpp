@@ -13,6 +13,19 @@
 #include <unistd.h>
 
 namespace scanout::console {
+namespace {
+
+// This process or a child of it.
+bool is_ours(const std::string& process) {
+    const std::string self = std::to_string(::getpid());
+    if (process == self) return true;
+    std::ifstream status("/proc/" + process + "/status");
+    for (std::string word; status >> word;)
+        if (word == "PPid:") return status >> word && word == self;
+    return false;
+}
+
+} // namespace
 
 tl::expected<int, int> open_device_node(const std::string& path) {
     const int fd = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
@@ -50,27 +63,26 @@ std::string card_with_another_master() {
     return {};
 }
 
-std::string holders_of(const std::string& path) {
+std::string held_by(const std::string& path) {
     namespace fs = std::filesystem;
     std::string holders;
     std::error_code error, none;
     for (fs::directory_iterator process("/proc", error), end; !error && process != end;
          process.increment(error)) {
         const std::string number = process->path().filename();
-        if (number.find_first_not_of("0123456789") != std::string::npos ||
-            number == std::to_string(::getpid()))
+        if (number.find_first_not_of("0123456789") != std::string::npos || is_ours(number))
             continue;
         std::error_code hidden;
         for (fs::directory_iterator fd(process->path() / "fd", hidden), last; !hidden && fd != last;
              fd.increment(hidden)) {
             if (fs::read_symlink(fd->path(), none) != path) continue;
             std::string name;
-            std::ifstream(process->path() / "comm") >> name;
+            std::getline(std::ifstream(process->path() / "comm"), name);
             holders += fmt::format("{}{}, process {}", holders.empty() ? "" : "; ", name, number);
             break;
         }
     }
-    return holders;
+    return holders.empty() ? "" : fmt::format(" ({})", holders);
 }
 
 } // namespace scanout::console

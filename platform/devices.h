@@ -29,7 +29,8 @@ bool has_another_master(const std::string& card);
 // The first card of this machine on which one does; else "".
 std::string card_with_another_master();
 
-// Who else has the device open, as far as /proc lets us see: "kmscon, process 512"; else "".
-std::string holders_of(const std::string& path);
+// Who has the device open besides us and our children (the seat's server), as far as /proc lets us
+// see, to be put behind what is said of it: " (kmscon, process 512)"; else "".
+std::string held_by(const std::string& path);
 
 } // namespace scanout::console

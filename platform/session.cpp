@@ -44,9 +44,8 @@ Result<void> have_descriptors() {
         ::setrlimit(RLIMIT_NOFILE, &limit);
     }
     std::array<Fd, kDescriptors> taken;
-    const Fd one(::open("/dev/null", O_RDONLY | O_CLOEXEC));
     for (Fd& fd : taken) {
-        fd = Fd(::fcntl(one.get(), F_DUPFD_CLOEXEC, 0));
+        fd = Fd(::open("/dev/null", O_RDONLY | O_CLOEXEC));
         if (!fd.valid())
             return fail(Exit::no_display,
                         "fewer than {} more files can be open at once ({}): raise `ulimit -n`, "

@@ -37,13 +37,11 @@ Result<std::unique_ptr<KmsDisplay>> open_one(const std::string& path, const Open
     TRY(Choice choice, choose(*device, options));
     if (!device->has_dumb_buffers())
         return fail(Exit::no_display, "the driver {} has no dumb buffers", device->driver());
-    if (const Errno error = device->take_master(); error != 0) {
-        const std::string holders = console::holders_of(path);
+    if (const Errno error = device->take_master(); error != 0)
         return fail(Exit::no_display,
-                    "another program draws there (DRM master; {}): quit it, or switch to a text "
-                    "console",
-                    holders.empty() ? std::strerror(error) : holders);
-    }
+                    "another program draws there{}: quit it, or switch to a text console (DRM "
+                    "master: {})",
+                    console::held_by(path), std::strerror(error));
     return KmsDisplay::create(std::move(device), std::move(choice), path, seat, timeouts);
 }
 

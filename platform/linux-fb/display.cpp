@@ -32,11 +32,9 @@ std::string card_behind(const std::string& frame_buffer) {
 Result<std::unique_ptr<port::Display>> create(const Options& options, console::Seat& seat) {
     // The emulation can be opened and written all the same, and nobody would see it.
     const std::string card = card_behind(options.device);
-    if (!card.empty() && console::has_another_master(card)) {
-        const std::string holders = console::holders_of(card);
+    if (!card.empty() && console::has_another_master(card))
         return fail(Exit::no_display, "{}: shows only what another program draws on {}{}",
-                    options.device, card, holders.empty() ? "" : fmt::format(" ({})", holders));
-    }
+                    options.device, card, console::held_by(card));
     TRY(std::unique_ptr<Device> device, open_device(options.device));
     return FbDisplay::create(std::move(device), options.device, seat);
 }

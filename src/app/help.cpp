@@ -152,7 +152,9 @@ std::string_view introduction(Command command) {
                "\n"
                "The console on the screen goes back to text mode, its keyboard on and its terminal "
                "to\n"
-               "lines with echo. A console on which a program that lives draws is left alone. "
+               "lines with echo. Where a program that lives draws (DRM master, or scanout) it is "
+               "left "
+               "alone. "
                "After\n"
                "scanout itself this is needed only where its guard (console-guard) was killed "
                "first.\n";

@@ -133,9 +133,11 @@ def plain_user(guest, session):
 
 
 def card_taken_by_another(guest, session):
+    modes, connectors = guest.sh("scanout view --mode help"), guest.sh("scanout view --connector help")
+    session.check("640x480@" in modes and "Virtual-1" in connectors, "modes and connectors are listed by help", modes + connectors)
     guest.sh("vm_helper hold /dev/dri/card0 >/tmp/held 2>&1 & until grep -q held /tmp/held; do usleep 10000; done")
     for backend in ("auto", "fbdev"):
         said = guest.sh(f"scanout view models/spot/spot.obj --backend {backend} </dev/tty1 2>&1 || echo @code $?").strip()
-        session.check("@code 5" in said and "vm_helper, process" in said, f"--backend {backend}: who holds the card is said",
+        session.check("@code 5" in said and "(vm_helper, process" in said and "scanout, process" not in said, f"--backend {backend}: who holds the card is said",
                       said)
     guest.sh("killall vm_helper")
