@@ -130,7 +130,7 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::cull_next, "cull_next", "C", "C", "faces left out:", 0, false, cull_text, "faces left out"},
     {Id::colour_next, "colour_next", "M", "M", "colour by:", 0, false, colour_text, "colour by"},
     {Id::section_next, "section_next", "J", "J { }", "section, slide it:", 0, false, section_text, "section"},
-    {Id::section_flip, "section_flip", "Shift+J", "Shift+J", "the section's other side", 0, false, section_text, "section"},
+    {Id::section_flip, "section_flip", "Shift+J", "Shift+J", "its other side", 0, false, section_text, "section"},
     {Id::section_down, "section_down", "{", "", "slide the section", 0, true, section_text, "section"},
     {Id::section_up, "section_up", "}", "", "slide the section", 0, true, section_text, "section"},
     {Id::slide_section, "slide_section", "", "", "slide the section", 1, false, section_text, "section"},

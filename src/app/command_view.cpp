@@ -34,24 +34,39 @@ Result<void> check_view(const Settings& s) {
     return {};
 }
 
-// --record and --replay, opened before the display: their faults are reported on a text console.
-struct Tapes {
+// --record, --replay and the keys, opened before the display: their faults are reported on a text
+// console.
+struct Prepared {
     std::optional<Recorder> recorder;
     std::optional<Script> script;
+    KeyMap keys;
 };
 
-Result<Tapes> open_tapes(const Settings& settings) {
+Result<Prepared> prepare(const Settings& settings) {
     std::vector<std::string> inputs = settings.arguments;
     inputs.push_back(settings.replay);
     TRY_VOID(check_outputs(inputs, {settings.record, settings.json.value_or(""), settings.state}));
-    Tapes tapes;
+    Prepared prepared{std::nullopt, std::nullopt, KeyMap::standard()};
     if (!settings.replay.empty()) {
-        TRY(tapes.script, load_script(settings.replay));
+        TRY(prepared.script, load_script(settings.replay));
     }
     if (!settings.record.empty()) {
-        TRY(tapes.recorder, Recorder::create(settings.record));
+        TRY(prepared.recorder, Recorder::create(settings.record));
     }
-    return tapes;
+    TRY(UserKeys keys, user_keys(settings));
+    print_warnings(keys.faults, settings);
+    prepared.keys = std::move(keys.map);
+    return prepared;
+}
+
+SessionParts parts_of(port::Display& display, port::Input& input, Jobs& jobs,
+                      std::function<Result<void>(std::vector<port::Event>&)> suspend,
+                      Prepared prepared, bool instant) {
+    SessionParts parts{display, input, jobs, std::move(suspend), {}, {}, instant};
+    parts.recorder = std::move(prepared.recorder);
+    parts.script = std::move(prepared.script);
+    parts.keys = std::move(prepared.keys);
+    return parts;
 }
 
 // The commands that the user noted.
@@ -72,7 +87,7 @@ Result<Commands> show(const Settings& settings, SessionParts parts, const char* 
     return session->noted_commands();
 }
 
-Result<Commands> show_headless(const Settings& settings, Tapes tapes, KeyMap keys,
+Result<Commands> show_headless(const Settings& settings, Prepared prepared,
                                std::uint64_t start_bytes) {
     const image::PixelFormat format = settings.pixel_format.value_or(image::PixelFormat{});
     TRY(port::HeadlessDisplay display,
@@ -82,56 +97,37 @@ Result<Commands> show_headless(const Settings& settings, Tapes tapes, KeyMap key
         say("scanout: headless: nothing is shown; Ctrl-C ends it (--replay FILE plays actions)");
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
     Jobs jobs(settings.threads);
-    const bool instant = tapes.script.has_value();
+    const bool instant = prepared.script.has_value();
     const auto suspend = [instant](std::vector<port::Event>&) -> Result<void> {
         if (!instant) ::kill(::getpid(), SIGSTOP); // nobody would continue a stopped replay
         return {};
     };
-    return show(settings,
-                {display,
-                 signals,
-                 jobs,
-                 suspend,
-                 std::move(tapes.recorder),
-                 std::move(tapes.script),
-                 instant,
-                 {},
-                 std::move(keys)},
+    return show(settings, parts_of(display, signals, jobs, suspend, std::move(prepared), instant),
                 "headless", start_bytes);
 }
 
-Result<Commands> show_on_console(const Settings& settings, Tapes tapes, KeyMap keys,
+Result<Commands> show_on_console(const Settings& settings, Prepared prepared,
                                  std::uint64_t start_bytes) {
     TRY(const std::unique_ptr<OpenConsole> console, open_console(settings));
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
     Jobs jobs(settings.threads); // threads only now: the seat's server is a fork of this process
     const auto suspend = [&](std::vector<port::Event>& events) { return console->suspend(events); };
-    return show(settings,
-                {console->display(),
-                 console->input(),
-                 jobs,
-                 suspend,
-                 std::move(tapes.recorder),
-                 std::move(tapes.script),
-                 false,
-                 {},
-                 std::move(keys)},
-                console->backend(), start_bytes);
+    return show(
+        settings,
+        parts_of(console->display(), console->input(), jobs, suspend, std::move(prepared), false),
+        console->backend(), start_bytes);
 }
 
 } // namespace
 
 Result<Exit> run_view(const Settings& given, std::uint64_t start_bytes) {
     Settings settings = given;
-    if (settings.connector == "help" || settings.mode == "help") {
-        settings.connector == "help" ? list_connectors(settings) : list_modes(settings);
-        return Exit::ok;
-    }
+    if (settings.connector == "help") list_connectors(settings);
+    if (settings.mode == "help") list_modes(settings);
+    if (settings.connector == "help" || settings.mode == "help") return Exit::ok;
     TRY(settings.arguments, models_of(given.arguments));
     TRY_VOID(check_view(settings));
-    TRY(Tapes tapes, open_tapes(settings));
-    TRY(UserKeys keys, user_keys(settings));
-    print_warnings(keys.faults, settings);
+    TRY(Prepared prepared, prepare(settings));
     if (const std::string_view steadying = steadying_option(settings);
         settings.converge == Converge::on && !steadying.empty())
         print_warnings({fmt::format("--converge on changes nothing: with {} nothing converges, so "
@@ -139,9 +135,9 @@ Result<Exit> run_view(const Settings& given, std::uint64_t start_bytes) {
                                     steadying)},
                        settings);
     const bool on_console = settings.backend != Backend::headless;
-    const Result<Commands> noted =
-        on_console ? show_on_console(settings, std::move(tapes), std::move(keys.map), start_bytes)
-                   : show_headless(settings, std::move(tapes), std::move(keys.map), start_bytes);
+    const Result<Commands> noted = on_console
+                                       ? show_on_console(settings, std::move(prepared), start_bytes)
+                                       : show_headless(settings, std::move(prepared), start_bytes);
     if (on_console && settings.verbose && (noted || noted.error().exit != Exit::no_display))
         say("console restored");
     if (!noted) return tl::unexpected(noted.error());

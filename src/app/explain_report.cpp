@@ -229,9 +229,7 @@ ScreenPage page_of(std::string head, std::vector<Entry> entries, const std::stri
     ScreenPage result{{head}, pages.size()};
     result.lines.insert(result.lines.end(), pages[shown - 1].begin(), pages[shown - 1].end());
     result.lines.insert(result.lines.end(), end.begin(), end.end());
-    if (pages.size() > 1)
-        result.lines.push_back(fmt::format("page {} of {}: {}", shown, pages.size(),
-                                           shown < pages.size() ? "X goes on" : "X closes"));
+    if (pages.size() > 1) result.lines.push_back(page_footer(shown, pages.size()));
     for (std::string& line : result.lines)
         line = cut_to(std::move(line), letters);
     return result;

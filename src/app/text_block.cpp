@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace scanout::app {
 
 int text_scale(int width, int height) {
@@ -30,6 +32,11 @@ std::vector<std::string> broken_into_lines(std::string_view text, std::size_t le
     }
     if (!text.empty()) lines.emplace_back(text);
     return lines;
+}
+
+std::string page_footer(std::size_t page, std::size_t pages) {
+    const char* const next = page < pages ? "the same key goes on" : "the same key closes";
+    return pages == 1 ? next : fmt::format("page {} of {}: {}", page, pages, next);
 }
 
 void draw_lines(image::Image& picture, const std::vector<std::string>& lines, int x, int y,

@@ -3,6 +3,7 @@
 
 #include "image/image.h"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,10 @@ TextBlock block_of(const std::vector<std::string>& lines, int scale);
 
 // `text` in lines of at most `letters` letters, broken at spaces where there are any.
 std::vector<std::string> broken_into_lines(std::string_view text, std::size_t letters);
+
+// The last line of a panel with pages, from 1 on: which one it is, and what the key that opened it
+// does next.
+std::string page_footer(std::size_t page, std::size_t pages);
 
 // The lines under each other, the first one's upper left corner at (x, y).
 void draw_lines(image::Image& picture, const std::vector<std::string>& lines, int x, int y,

@@ -168,7 +168,7 @@ TEST(ScreenTable, HasTheFiguresThatAreKnownAndFitsTheScreen) {
     ASSERT_EQ(low.lines.size(), 8U);
     EXPECT_THAT(low.lines[5], HasSubstr("effect4"));
     EXPECT_EQ(low.lines[6], "measured 1 of 10");
-    EXPECT_EQ(low.lines.back(), "page 1 of 2: X goes on");
+    EXPECT_EQ(low.lines.back(), "page 1 of 2: the same key goes on");
     EXPECT_THAT(low.lines[1], Not(HasSubstr("0.0125"))) << "no room for all columns";
     EXPECT_THAT(screen_table(e, 1, 60, 8, 2).lines[1], HasSubstr("effect5"));
     EXPECT_EQ(screen_table(e, 1, 60, 8, 9).lines, screen_table(e, 1, 60, 8, 2).lines);

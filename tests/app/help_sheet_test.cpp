@@ -101,14 +101,14 @@ TEST(HelpSheet, IsWhollyWithinThePicture) {
 
 TEST(HelpSheet, HasFewPagesWhereThereIsRoomAndSaysWhichOneIsOpen) {
     EXPECT_EQ(pages_on({1280, 720}).size(), 1U);
-    EXPECT_EQ(pages_on({1280, 720}).front().footer, "H closes");
+    EXPECT_EQ(pages_on({1280, 720}).front().footer, "the same key closes");
     EXPECT_LE(pages_on({1920, 1080}).size(), 2U);
     EXPECT_LE(pages_on({3840, 2160}).size(), 2U);
     const std::vector<HelpPage> small = pages_on({320, 200});
     ASSERT_GT(small.size(), 1U);
     EXPECT_EQ(small.front().footer.rfind("page 1 of ", 0), 0U) << small.front().footer;
-    EXPECT_NE(small.front().footer.find("H goes on"), std::string::npos);
-    EXPECT_NE(small.back().footer.find("H closes"), std::string::npos);
+    EXPECT_NE(small.front().footer.find("the same key goes on"), std::string::npos);
+    EXPECT_NE(small.back().footer.find("the same key closes"), std::string::npos);
 }
 
 TEST(TextScale, GrowsWithTheHeight) {
@@ -155,7 +155,7 @@ TEST(WarningsPage, LosesNoWordAndFits) {
     EXPECT_EQ(warnings_page({}, 34, 8, 1).lines,
               std::vector<std::string>{"the file has no warnings"});
     EXPECT_EQ(warnings_page({"a"}, 34, 8, 1).lines,
-              (std::vector<std::string>{"1 warning of the file", "- a", "Shift+I closes"}));
+              (std::vector<std::string>{"1 warning of the file", "- a", "the same key closes"}));
 }
 
 } // namespace

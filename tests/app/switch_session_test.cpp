@@ -86,7 +86,7 @@ TEST_F(SwitchSession, TheWarningsOfTheFileAreReadInFull) {
             start = "  ";
         }
     }
-    overlay.warnings.emplace_back("Shift+I closes");
+    overlay.warnings.emplace_back("the same key closes");
     image::Image expected = rendered({});
     draw_overlay(expected, overlay);
     EXPECT_EQ(after("toggle_warnings"), expected);

@@ -1,6 +1,7 @@
 #include "app/keys/key_map.h"
 
 #include "app/keys/keys_file.h"
+#include "app/option_readers.h"
 #include "base/check.h"
 
 #include <algorithm>
@@ -81,16 +82,6 @@ bool is_shifted_sign(const port::Event& event) {
     const bool letter = (event.keysym >= XKB_KEY_a && event.keysym <= XKB_KEY_z) ||
                         (event.keysym >= XKB_KEY_A && event.keysym <= XKB_KEY_Z);
     return event.keysym != event.base_keysym && !letter;
-}
-
-std::vector<std::string> words_of(std::string_view text) {
-    std::vector<std::string> words;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(' '), text.size());
-        if (end > 0) words.emplace_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return words;
 }
 
 // As other viewers have it, where that differs from the table of actions.
@@ -177,10 +168,10 @@ std::optional<Key> parse_key(std::string_view text) {
 KeyMap KeyMap::standard() {
     KeyMap map;
     for (const ActionRow& row : action_rows())
-        for (std::string& text : words_of(row.keys)) {
+        for (const std::string_view text : words_in(row.keys)) {
             const std::optional<Key> key = parse_key(text);
             CHECK(key.has_value());
-            map.bindings_.push_back({std::move(text), *key, row.id});
+            map.bindings_.push_back({std::string(text), *key, row.id});
         }
     return map;
 }

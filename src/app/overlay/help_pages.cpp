@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 namespace scanout::app {
 namespace {
 
@@ -121,10 +119,7 @@ std::vector<HelpPage> help_pages(const std::vector<SheetSection>& sections, std:
         pages.back().columns.push_back(std::move(column));
     }
     for (std::size_t i = 0; i < pages.size(); ++i)
-        pages[i].footer = pages.size() == 1
-                              ? std::string("H closes")
-                              : fmt::format("page {} of {}: H {}", i + 1, pages.size(),
-                                            i + 1 < pages.size() ? "goes on" : "closes");
+        pages[i].footer = page_footer(i + 1, pages.size());
     return pages;
 }
 

@@ -31,9 +31,7 @@ ScreenPage warnings_page(const std::vector<std::string>& warnings, std::size_t l
     result.lines.insert(
         result.lines.end(), first,
         first + std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(capacity), all.end() - first));
-    result.lines.push_back(pages == 1 ? std::string("Shift+I closes")
-                                      : fmt::format("page {} of {}: Shift+I {}", shown, pages,
-                                                    shown < pages ? "goes on" : "closes"));
+    result.lines.push_back(page_footer(shown, pages));
     return result;
 }
 
