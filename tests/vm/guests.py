@@ -96,7 +96,10 @@ class Viewer:
         if last_action:
             self.guest.wait(rf"^action \d+ {last_action}$")
         self.guest.wait(r"^settled$")
-        return re.findall(FRAME, self.guest.said_since(start), re.M)[-1]
+        frames = re.findall(FRAME, self.guest.said_since(start), re.M)
+        if not frames:
+            raise guests.GuestError("the viewer has settled without a new frame")
+        return frames[-1]
 
     def exit_status(self):
         return int(self.guest.wait(r"^@exit (\d+)$", 20)[0])
