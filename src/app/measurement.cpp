@@ -32,7 +32,8 @@ public:
             if (a.z > near) a = a + (b - a) * ((near - a.z) / (b.z - a.z));
             if (b.z > near) b = b + (a - b) * ((near - b.z) / (a.z - b.z));
         }
-        const DVec2 from = pixel_of(a), to = pixel_of(b), along = to - from;
+        const DVec2 from = scene::picture_point(view_, a, width_, height_),
+                    to = scene::picture_point(view_, b, width_, height_), along = to - from;
         double first = 0, last = 1; // Liang and Barsky 1984
         for (const auto& [step, room] :
              {std::pair(-along.x, from.x), std::pair(along.x, width_ - from.x),
@@ -46,14 +47,8 @@ public:
     }
 
 private:
-    DVec2 pixel_of(const DVec3& p) const {
-        const double distance = view_.projection == scene::Projection::perspective ? -p.z : 1;
-        return {(p.x / (distance * view_.half_width) + 1) / 2 * width_,
-                (1 - p.y / (distance * view_.half_height)) / 2 * height_};
-    }
-
     const scene::View& view_;
-    double width_, height_;
+    int width_, height_;
 };
 
 PixelPlace place_of(const DVec2& pixel) {
@@ -98,8 +93,7 @@ MeasuredMarks measured_marks(std::span<const DVec3> points, const scene::View& v
     const PictureLine line(view, width, height);
     std::vector<DVec3> seen; // view space
     for (const DVec3& p : points)
-        seen.push_back(view.linear * (scene::radii_from_centre(mesh, p) * mesh.radius) +
-                       view.translation);
+        seen.push_back(scene::in_view(p, view, mesh));
     for (std::size_t i = 0; i < seen.size(); ++i) {
         if (const auto at = line.between(seen[i], seen[i]))
             marks.points.push_back(place_of(at->first));

@@ -17,9 +17,7 @@ public:
         for (std::size_t v = 0; v < seen_.size(); ++v) {
             seen_[v] = view.linear * DVec3(mesh.position[v]) + view.translation;
             nearest_ = std::max(nearest_, seen_[v].z);
-            const double distance = perspective_ ? -seen_[v].z : 1;
-            pixel_[v] = {(seen_[v].x / (distance * view.half_width) + 1) / 2 * width,
-                         (1 - seen_[v].y / (distance * view.half_height)) / 2 * height};
+            pixel_[v] = scene::picture_point(view, seen_[v], width, height);
         }
     }
 

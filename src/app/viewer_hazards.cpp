@@ -80,15 +80,11 @@ void Viewer::fly_to(const HazardSpot& spot, const geom::Mesh& mesh) {
 std::optional<PixelPlace> Viewer::pixel_of(const DVec3& place, const geom::Mesh& mesh) const {
     const Result<scene::View> now = view(mesh);
     if (!now) return std::nullopt;
-    const DVec3 seen =
-        now->linear * (scene::radii_from_centre(mesh, place) * mesh.radius) + now->translation;
-    const bool perspective = now->projection == scene::Projection::perspective;
-    const double distance = perspective ? -seen.z : 1;
-    if (!(distance > 0)) return std::nullopt;
-    const double x = (seen.x / (distance * now->half_width) + 1) / 2 * width_;
-    const double y = (1 - seen.y / (distance * now->half_height)) / 2 * height_;
-    if (!(x >= 0 && x < width_ && y >= 0 && y < height_)) return std::nullopt;
-    return PixelPlace{static_cast<int>(x), static_cast<int>(y)};
+    const DVec3 seen = scene::in_view(place, *now, mesh);
+    if (now->projection == scene::Projection::perspective && !(seen.z < 0)) return std::nullopt;
+    const DVec2 at = scene::picture_point(*now, seen, width_, height_);
+    if (!(at.x >= 0 && at.x < width_ && at.y >= 0 && at.y < height_)) return std::nullopt;
+    return PixelPlace{static_cast<int>(at.x), static_cast<int>(at.y)};
 }
 
 } // namespace scanout::app

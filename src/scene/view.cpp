@@ -277,6 +277,16 @@ double to_floats(const View& view) {
     return largest < 0x1p40 ? 1.0 : scanout::scale(0x1p40, -decompose(largest).exponent);
 }
 
+DVec3 in_view(const DVec3& file_place, const View& view, const geom::Mesh& mesh) {
+    return view.linear * (radii_from_centre(mesh, file_place) * mesh.radius) + view.translation;
+}
+
+DVec2 picture_point(const View& view, const DVec3& seen, int width, int height) {
+    const double distance = view.projection == Projection::perspective ? -seen.z : 1;
+    return {(seen.x / (distance * view.half_width) + 1) / 2 * width,
+            (1 - seen.y / (distance * view.half_height)) / 2 * height};
+}
+
 double world_units_per_pixel(const View& view, int height) {
     const double extent =
         view.projection == Projection::perspective

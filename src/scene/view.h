@@ -92,6 +92,11 @@ inline DMat3 rotation_of(const View& view) {
 // of 2^40 bounding radii and more.
 double to_floats(const View& view);
 
+// A place of the file in view space; and the point of a picture, in pixels from its upper left
+// corner, at which a place in view space is seen. In perspective it must lie before the eye, z < 0.
+DVec3 in_view(const DVec3& file_place, const View& view, const geom::Mesh& mesh);
+DVec2 picture_point(const View& view, const DVec3& seen, int width, int height);
+
 // The world units that one pixel spans on the plane through the model's centre: for dragging.
 double world_units_per_pixel(const View& view, int height);
 

@@ -1,5 +1,6 @@
 #include "app/switches/live_switches.h"
 
+#include "app/option_readers.h"
 #include "app/values.h"
 #include "frame/catalogue.h"
 
@@ -23,13 +24,8 @@ struct NamedBackground {
 };
 std::vector<NamedBackground> backgrounds() {
     std::vector<NamedBackground> all;
-    std::string_view names = colour_names();
-    while (!names.empty()) {
-        const std::size_t end = std::min(names.find(' '), names.size());
-        const std::string_view name = names.substr(0, end);
+    for (const std::string_view name : words_in(colour_names()))
         if (const auto colour = parse_colour(name)) all.push_back({name, *colour});
-        names.remove_prefix(std::min(end + 1, names.size()));
-    }
     return all;
 }
 
