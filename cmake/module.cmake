@@ -42,10 +42,12 @@ if(SCANOUT_SANITIZE)
   target_link_options(scanout_flags INTERFACE -fsanitize=${SCANOUT_SANITIZE})
 endif()
 
-# scanout_module(<name> [DIR <path>] [NO_AXES] [FOLDERS <folder>...] [DEPENDS <module>...] [LIBS <target>...])
+# scanout_module(<name> [DIR <path>] [NO_AXES] [FOLDERS <folder>...] [CHOSEN <folder>] [DEPENDS <module>...] [LIBS <target>...]
+#                [OWN_LIBS <target>...])
 # Sources are every .cpp in the folder and in the named folders in it; where none is named, in all: those of axes. With
-# NO_AXES in none. A module may depend
-# only on modules declared before it: an upward edge stops the configuration.
+# NO_AXES in none. CHOSEN is the one of several folders that this build takes. OWN_LIBS are not included by headers that
+# other modules include, so those compile the same where they are not there. A module may depend only on modules declared
+# before it: an upward edge stops the configuration.
 #
 # Half of the time for a file that is no kernel went into reading headers: those of libraries that most files include
 # are compiled once, from module math up, whose libraries they are. Files include what they use nevertheless:
@@ -53,15 +55,18 @@ endif()
 set(SCANOUT_COMMON_HEADERS <algorithm> <array> <cmath> <cstdint> <functional> <memory> <optional> <span> <string>
     <string_view> <utility> <vector> <fmt/format.h> <glm/mat3x3.hpp> <glm/mat4x4.hpp> <tl/expected.hpp>)
 function(scanout_module name)
-  cmake_parse_arguments(A "NO_AXES" "DIR" "FOLDERS;DEPENDS;LIBS" ${ARGN})
+  cmake_parse_arguments(A "NO_AXES" "DIR;CHOSEN" "FOLDERS;DEPENDS;LIBS;OWN_LIBS" ${ARGN})
   if(NOT A_DIR)
     set(A_DIR src/${name})
   endif()
   set(patterns ${PROJECT_SOURCE_DIR}/${A_DIR}/*.cpp)
   set(chosen)
+  if(A_CHOSEN)
+    file(GLOB chosen CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${A_DIR}/${A_CHOSEN}/*.cpp)
+  endif()
   if(A_FOLDERS)
     list(TRANSFORM A_FOLDERS REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/${A_DIR}/\\1/*.cpp" OUTPUT_VARIABLE folders)
-    file(GLOB chosen CONFIGURE_DEPENDS ${folders})
+    list(APPEND patterns ${folders})
   elseif(NOT A_NO_AXES)
     list(APPEND patterns ${PROJECT_SOURCE_DIR}/${A_DIR}/*/*.cpp)
   endif()
@@ -81,6 +86,9 @@ function(scanout_module name)
   endif()
   target_include_directories(scanout_${name} ${scope} ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
   target_link_libraries(scanout_${name} ${scope} scanout_flags ${A_LIBS})
+  if(A_OWN_LIBS)
+    target_link_libraries(scanout_${name} PRIVATE ${A_OWN_LIBS})
+  endif()
   foreach(dependency IN LISTS A_DEPENDS)
     if(NOT TARGET scanout_${dependency})
       message(FATAL_ERROR "module ${name} may not depend on ${dependency}: it is not on a floor below "

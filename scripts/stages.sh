@@ -184,17 +184,17 @@ sanitized=(-DCMAKE_CXX_COMPILER=clang++-14 "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1
 # Cases that judge numbers by the million: instrumented, their oracles alone take a quarter of an hour. The other cases,
 # the hashes and the pictures go through the same code. The last lines judge milliseconds and megabytes of the program.
 numbers=(
-    raster.{ExactCoverage,Guard.A,Guard.Tri,Guard.Its,Depth,P1/,P2/,Row17/,ClippedTriangle.Covers,Clip.TheTwoSides}
+    raster.{ExactCoverage,Guard.{A,Tri,Its,TheSize},Depth,P1/,P2/,Row17/,ClippedTriangle.Covers,Clip.TheTwoSides}
     raster.{Coverage.ATurned,Coverage.AFan,Homogeneous,P9,P10,Row50,OcclusionHistory,LineOnTriangle.IsSeen}
     raster.{ClippedTriangle.HasDepth,Segment.DoesNot,Segment.CoversOne,ClusterCull.ChangesNo}
-    geom.{Build.Progress,Build.TheNumber,JoinTable.Numbers,SpatialOrder.SaysHowFar}
+    geom.{Build.Progress,Build.TheNumber,JoinTable.Numbers,SpatialOrder.SaysHowFar,Section.PlanesThrough}
     shade.{ShadingSetup.HasTheBits,Gather.ShadesATriangle} golden.Hashes.AreTheSameForEveryTile
     frame.{'Shadow\..*RaysSay',AntiAliasing,Metamorphic.Scaling,Minification,ItemsShaded,P4/,P11/,All/BlendingModes}
     frame.{Transparency.TheLength,Transparency.AMaterial,Outline.IsWhere,TwoSided.Decided,ShadowEdgeOn,DisjointShadows}
     frame.{FrontFaceShadows.OfAClosed,IgnoredOptions.WhatIs,Blending.OfTwoHundred,OcclusionHistory}
     app.{AccuracySession.WhileItMovesFewer,Program.FrontierGoesOnWithoutAReference,Session.TenSeconds}
     app.{RungSession.AFrontierIsMeasured,Budget.IsMeasuredAnew,Budget.IsTried,Session.AReplayShowsThePlan}
-    app.{Steady.AMillion,FrontierSentences.NameTheDearest}
+    app.{Steady.AMillion,FrontierSentences.NameTheDearest,Reference.IsWhatTheRenderer,HelpSheet.IsWholly}
 )
 # One expression without parentheses: ctest takes nine at most, and without a word more than those as no expression.
 without_numbers=$(printf '|^%s' "${numbers[@]}")

@@ -6,9 +6,9 @@
 #include "app/overlay/warnings_page.h"
 #include "app/text_block.h"
 
-#include <algorithm>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -76,25 +76,28 @@ TEST(HelpSheet, LosesNoWordOnAnyScreen) {
     }
 }
 
-// Letters that were cut off at an edge, or lay under others, would leave fewer pixels.
+// How many pixels are letters, and how many are panel.
+std::pair<int, int> letters_and_panel(const image::Image& picture) {
+    int letters = 0, panel = 0;
+    for (const image::Rgba8& p : picture.pixels()) {
+        letters += p == kBlockText || p == kBlockAccent || p == kBlockDim;
+        panel += p == kBlockPanel;
+    }
+    return {letters, panel};
+}
+
+// Letters that were cut off at an edge, or lay under others, would leave fewer pixels than where
+// there is more room.
 TEST(HelpSheet, IsWhollyWithinThePicture) {
-    const auto ink = [](const image::Image& picture) {
-        return std::count_if(picture.pixels().begin(), picture.pixels().end(),
-                             [](const image::Rgba8& p) {
-                                 return p == kBlockText || p == kBlockAccent || p == kBlockDim;
-                             });
-    };
     for (const Screen& screen : kScreens) {
         const int scale = text_scale(screen.width, screen.height);
         for (const HelpPage& page : pages_on(screen)) {
             image::Image picture(screen.width, screen.height, {40, 40, 40, 255}),
-                canvas(4000, 4000, {40, 40, 40, 255});
+                canvas(screen.width + 200, screen.height + 200, {40, 40, 40, 255});
             draw_help(picture, page, scale);
             draw_help(canvas, page, scale);
-            EXPECT_EQ(ink(picture), ink(canvas)) << screen.width << ' ' << page.footer;
-            EXPECT_EQ(std::count(picture.pixels().begin(), picture.pixels().end(), kBlockPanel),
-                      std::count(canvas.pixels().begin(), canvas.pixels().end(), kBlockPanel))
-                << screen.width << ": its margins";
+            EXPECT_EQ(letters_and_panel(picture), letters_and_panel(canvas))
+                << screen.width << ' ' << page.footer;
         }
     }
 }

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kColumnLetters = 46, kMostColumns = 4, kGap = 3;
 
 // A heading with its first row, or a row: lines that stay together.
-using Group = std::vector<SheetLine>;
+using LineGroup = std::vector<SheetLine>;
 
 std::size_t widest_keys(const std::vector<SheetSection>& sections, std::size_t letters) {
     std::size_t widest = 0;
@@ -22,10 +22,10 @@ std::size_t widest_keys(const std::vector<SheetSection>& sections, std::size_t l
 }
 
 // Keys beside the text, both broken into lines where they are too long; the state follows the text.
-Group group_of(const SheetRow& row, std::size_t key_letters, std::size_t letters) {
+LineGroup group_of(const SheetRow& row, std::size_t key_letters, std::size_t letters) {
     const std::vector<std::string> keys = broken_into_lines(row.keys, key_letters);
     const std::size_t room = letters - key_letters - 2;
-    Group group;
+    LineGroup group;
     for (std::string& text : broken_into_lines(row.text, room))
         group.push_back({{}, {}, std::move(text), {}});
     if (!row.now.empty()) {
@@ -42,13 +42,13 @@ Group group_of(const SheetRow& row, std::size_t key_letters, std::size_t letters
     return group;
 }
 
-std::vector<Group> groups_of(const std::vector<SheetSection>& sections, std::size_t key_letters,
-                             std::size_t letters) {
-    std::vector<Group> groups;
+std::vector<LineGroup> groups_of(const std::vector<SheetSection>& sections, std::size_t key_letters,
+                                 std::size_t letters) {
+    std::vector<LineGroup> groups;
     for (const SheetSection& section : sections) {
         bool first = true;
         for (const SheetRow& row : section.rows) {
-            Group group = group_of(row, key_letters, letters);
+            LineGroup group = group_of(row, key_letters, letters);
             if (first) group.insert(group.begin(), {std::string(section.heading), {}, {}, {}});
             first = false;
             groups.push_back(std::move(group));
@@ -58,9 +58,9 @@ std::vector<Group> groups_of(const std::vector<SheetSection>& sections, std::siz
 }
 
 // Columns of at most so many lines. A blank line stands above a heading, but not on top.
-std::vector<SheetColumn> columns_of(const std::vector<Group>& groups, std::size_t lines) {
+std::vector<SheetColumn> columns_of(const std::vector<LineGroup>& groups, std::size_t lines) {
     std::vector<SheetColumn> columns(1);
-    for (const Group& group : groups) {
+    for (const LineGroup& group : groups) {
         const bool heading = !group.front().heading.empty();
         const std::size_t blank = heading && !columns.back().lines.empty() ? 1 : 0;
         if (!columns.back().lines.empty() &&
@@ -77,7 +77,7 @@ std::vector<SheetColumn> columns_of(const std::vector<Group>& groups, std::size_
 }
 
 // The fewest lines of a column with which the groups take no more columns than they have to.
-std::vector<SheetColumn> balanced(const std::vector<Group>& groups, std::size_t columns,
+std::vector<SheetColumn> balanced(const std::vector<LineGroup>& groups, std::size_t columns,
                                   std::size_t lines) {
     std::vector<SheetColumn> best = columns_of(groups, lines);
     if (best.size() > columns) return best;
@@ -109,7 +109,7 @@ std::vector<HelpPage> help_pages(const std::vector<SheetSection>& sections, std:
     const std::size_t wide =
         std::max<std::size_t>((letters + kGap) / across, kGap + 8) - kGap; // of a column
     const std::size_t key_letters = widest_keys(sections, wide);
-    const std::vector<Group> groups = groups_of(sections, key_letters, wide);
+    const std::vector<LineGroup> groups = groups_of(sections, key_letters, wide);
     const std::size_t high = std::max<std::size_t>(lines, 3) - 1; // over the footer
     std::vector<SheetColumn> columns = balanced(groups, across, high);
     std::vector<HelpPage> pages;
