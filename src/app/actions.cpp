@@ -171,6 +171,8 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::shadow_previous, "shadow_previous", "Shift+F6", "", "shadow, back", 0, false, asked_text<3>, "shadow"},
     {Id::tone_next, "tone_next", "F8", "F8", "tone:", 0, false, asked_text<4>, "tone"},
     {Id::tone_previous, "tone_previous", "Shift+F8", "", "tone, back", 0, false, asked_text<4>, "tone"},
+    {Id::ambient_occlusion_next, "ambient_occlusion_next", "F10", "F10", "ambient occlusion:", 0, false, asked_text<5>, "ambient occlusion"},
+    {Id::ambient_occlusion_previous, "ambient_occlusion_previous", "Shift+F10", "", "ambient occlusion, back", 0, false, asked_text<5>, "ambient occlusion"},
     {Id::exposure_up, "exposure_up", "F7", "F7", "exposure:", 0, true, stops_text, "exposure"},
     {Id::exposure_down, "exposure_down", "Shift+F7", "", "exposure, down", 0, true, stops_text, "exposure"},
     {Id::background_next, "background_next", "F9", "F9", "background:", 0, false, behind_text, "background"},

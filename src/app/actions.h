@@ -27,7 +27,7 @@ enum class ActionId : std::uint8_t {
     light_next,
     toggle_info, toggle_explain, toggle_doctor, toggle_error_map, rung_down, rung_up, toggle_split, split_left, split_right, toggle_turntable, undo, reload, screenshot, print_view, toggle_help, close, quit, suspend,
     toggle_warnings,
-    shading_next, shading_previous, aa_next, aa_previous, texture_next, texture_previous, shadow_next, shadow_previous, tone_next, tone_previous,
+    shading_next, shading_previous, aa_next, aa_previous, texture_next, texture_previous, shadow_next, shadow_previous, tone_next, tone_previous, ambient_occlusion_next, ambient_occlusion_previous,
     exposure_up, exposure_down, background_next, background_previous,
     move_far, move_near, scale_axis_next,
     toggle_fly, fly_forward, fly_left, fly_back, fly_right, fly_up, fly_down,

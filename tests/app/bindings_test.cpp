@@ -109,6 +109,7 @@ TEST(Bindings, TheKeysAreThoseOfTheDesign) {
                                                         {"F7", "exposure_up"},
                                                         {"F8", "tone_next"},
                                                         {"F9", "background_next"},
+                                                        {"F10", "ambient_occlusion_next"},
                                                         {"Ctrl+Up", "move_far"},
                                                         {"Z", "scale_axis_next"},
                                                         {"W", "toggle_fly"},

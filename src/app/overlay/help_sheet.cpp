@@ -46,6 +46,7 @@ constexpr auto kSections = std::to_array<SectionRow>({
     {kRendering, Id::aa_next},
     {kRendering, Id::texture_next},
     {kRendering, Id::shadow_next},
+    {kRendering, Id::ambient_occlusion_next},
     {kRendering, Id::exposure_up},
     {kRendering, Id::tone_next},
     {kRendering, Id::background_next},

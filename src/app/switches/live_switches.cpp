@@ -15,8 +15,9 @@ namespace {
 
 using Asked = std::string frame::FrameOptions::*;
 constexpr std::array<Asked, kSwitchedAxes.size()> kAsked = {
-    &frame::FrameOptions::shading, &frame::FrameOptions::aa, &frame::FrameOptions::texture,
-    &frame::FrameOptions::shadow, &frame::FrameOptions::tone};
+    &frame::FrameOptions::shading, &frame::FrameOptions::aa,
+    &frame::FrameOptions::texture, &frame::FrameOptions::shadow,
+    &frame::FrameOptions::tone,    &frame::FrameOptions::ambient_occlusion};
 
 struct NamedBackground {
     std::string_view name;

@@ -12,8 +12,8 @@
 namespace scanout::app {
 
 // The axes, in the order of their actions (actions.h).
-inline constexpr std::array<std::string_view, 5> kSwitchedAxes = {"shading", "aa", "texture",
-                                                                  "shadow", "tone"};
+inline constexpr std::array<std::string_view, 6> kSwitchedAxes = {
+    "shading", "aa", "texture", "shadow", "tone", "ambient_occlusion"};
 
 struct Rendering {
     std::array<std::string, kSwitchedAxes.size()> asked; // a technique of each axis, or "auto"
