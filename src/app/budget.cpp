@@ -83,17 +83,20 @@ Result<KnownFrontier> measured(const BudgetTask& task, std::vector<std::string>&
 
 // What there is instead, where nothing meets the limits.
 std::string advice(const KnownFrontier& known, const Limits& limits) {
+    const std::string_view of_which =
+        known.complete ? "" : ", of those that there was time to measure,";
     const KnownPoint& quickest = known.points[measure::choose(known.points, {0.0, {}}).point];
     const KnownPoint& best = known.points[measure::choose(known.points, {}).point];
     if (limits.wall_ms && quickest.wall_ms > *limits.wall_ms)
-        return fmt::format("--budget {}: no rungs are that fast; the fastest take {} ({}, {}); ask "
-                           "for as much, or draw a smaller --size",
-                           asked_time(*limits.wall_ms), milliseconds_at_most(quickest.wall_ms),
-                           name_of(quickest), codes_at_most(quickest.error));
+        return fmt::format("--budget {}: no rungs{} are that fast; the fastest take {} ({}, {}); "
+                           "ask for as much, or draw a smaller --size",
+                           asked_time(*limits.wall_ms), of_which,
+                           milliseconds_at_most(quickest.wall_ms), name_of(quickest),
+                           codes_at_most(quickest.error));
     if (limits.error && best.error > *limits.error)
-        return fmt::format("--max-error {}: no rungs err that little; the most accurate err {} "
+        return fmt::format("--max-error {}: no rungs{} err that little; the most accurate err {} "
                            "({}, {}); ask for as much",
-                           *limits.error, codes_at_most(best.error), name_of(best),
+                           *limits.error, of_which, codes_at_most(best.error), name_of(best),
                            milliseconds_at_most(best.wall_ms));
     const KnownPoint& accurate =
         known.points[measure::choose(known.points, {{}, limits.error}).point];
@@ -138,7 +141,8 @@ Result<Chosen> choose_rungs(const BudgetTask& task, const Limits& limits,
     };
     if (known) {
         choose();
-        chosen.cached = still_holds(task, chosen.point);
+        // More may be measured this time.
+        chosen.cached = (chosen.choice.met() || known->complete) && still_holds(task, chosen.point);
     }
     if (!chosen.cached) {
         TRY(known, measured(task, chosen.notes));
@@ -166,7 +170,8 @@ std::string none_chosen(const Limits& limits, const Error& why) {
 }
 
 std::string to_text(const Chosen& c) {
-    return fmt::format("chosen for {}: {}: {}, {}; measured {}{}", text_of(c.limits),
+    return fmt::format("{} {}: {}: {}, {}; measured {}{}",
+                       c.choice.met() ? "chosen for" : "nearest to", text_of(c.limits),
                        name_of(c.point), milliseconds(c.point.wall_ms), codes_rmse(c.point.error),
                        c.date, c.cached ? ", cached" : "");
 }

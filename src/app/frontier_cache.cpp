@@ -20,9 +20,10 @@
 namespace scanout::app {
 namespace {
 
+constexpr std::string_view kInPart = "in part ";
 constexpr std::string_view kFilePrefix = "frontier-",
                            kElsewhere = "set XDG_CACHE_HOME to a folder that can be written",
-                           kFormat = "scanout-frontier 1\n";
+                           kFormat = "scanout-frontier 2\n";
 
 std::string hash_of(std::string_view text) {
     image::Hasher hasher;
@@ -83,7 +84,8 @@ std::optional<measure::KnownPoint> point_of(std::string_view line) {
 } // namespace
 
 std::string to_text(const std::string& key, const measure::KnownFrontier& known) {
-    std::string text = fmt::format("{}{}measured {}\n", kFormat, key, known.date);
+    std::string text =
+        fmt::format("{}{}measured {}{}\n", kFormat, key, known.complete ? "" : kInPart, known.date);
     for (const measure::KnownPoint& p : known.points) {
         text += fmt::format("point {} {} {}", p.wall_ms, p.cpu_ms, p.error);
         for (const measure::Rung& rung : p.rungs)
@@ -105,7 +107,9 @@ std::optional<measure::KnownFrontier> parse_frontier(std::string_view text,
     text.remove_prefix(kFormat.size() + key.size());
     std::string_view measured = take_line(text);
     if (next_word(measured) != "measured") return std::nullopt;
-    measure::KnownFrontier known{std::string(measured), {}};
+    const bool complete = !measured.starts_with(kInPart);
+    if (!complete) measured.remove_prefix(kInPart.size());
+    measure::KnownFrontier known{std::string(measured), {}, complete};
     while (!text.empty()) {
         std::string_view line = take_line(text);
         if (next_word(line) != "point") return std::nullopt;

@@ -87,7 +87,7 @@ Result<std::string> frontier_html(const FrontierReport& report) {
     std::string html = fmt::format(kHead, as_markup("What accuracy costs: " + name));
     for (const std::string& sentence : frontier_sentences(report))
         html += fmt::format("<p>{}</p>\n", as_markup(sentence));
-    if (report.found.stopped) html += fmt::format("<p>{}</p>\n", stopped_sentence());
+    if (report.found.stopped) html += fmt::format("<p>{}</p>\n", stopped_sentence(report.found));
     html += fmt::format("<p><small>{}</small></p>\n", as_markup(frontier_head(report)));
     if (report.has_frontier()) html += chart_svg(frontier_chart(report));
     const std::vector<ReportTable> tables = frontier_tables(report);

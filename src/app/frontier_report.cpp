@@ -31,6 +31,10 @@ std::string wall_text(const Frontier& found, std::size_t point) {
     return fmt::format("{:.2f}", found.wall_ms(point));
 }
 
+std::string nothing_of(const Frontier& found) {
+    return found.untimed_rungs().empty() ? "nothing" : "nothing that was timed";
+}
+
 ReportTable equal_time(const FrontierReport& report) {
     const Frontier& found = report.found;
     ReportTable table{
@@ -42,11 +46,22 @@ ReportTable equal_time(const FrontierReport& report) {
             table.rows.push_back({head, codes(found.error(*best)), wall_text(found, *best),
                                   report.cpu_text(*best), report.name_of(*best)});
         else
-            table.rows.push_back(
-                {head, "-", "", "",
-                 fmt::format("nothing: the quickest takes {:.2f} ms", found.least_wall_ms())});
+            table.rows.push_back({head, "-", "", "",
+                                  fmt::format("{}: the quickest takes {:.2f} ms", nothing_of(found),
+                                              found.least_wall_ms())});
     }
     return table;
+}
+
+// A rung that was drawn and not timed may be what was looked for.
+std::string why_none_errs(const FrontierReport& report, double error) {
+    const Frontier& found = report.found;
+    for (const std::size_t point : found.untimed_rungs())
+        if (found.error(point) <= error)
+            return fmt::format("{}; {} errs {:.3f} codes", nothing_of(found), report.name_of(point),
+                               found.error(point));
+    return fmt::format("{}: the most accurate errs {:.3f} codes", nothing_of(found),
+                       found.error(found.frontier.back().point));
 }
 
 ReportTable equal_error(const FrontierReport& report) {
@@ -60,9 +75,7 @@ ReportTable equal_error(const FrontierReport& report) {
             table.rows.push_back({head, wall_text(found, *quickest), report.cpu_text(*quickest),
                                   codes(found.error(*quickest)), report.name_of(*quickest)});
         else
-            table.rows.push_back({head, "-", "", "",
-                                  fmt::format("nothing: the most accurate errs {:.3f} codes",
-                                              found.error(found.frontier.back().point))});
+            table.rows.push_back({head, "-", "", "", why_none_errs(report, error)});
     }
     return table;
 }
@@ -185,6 +198,7 @@ std::string FrontierReport::name_of(std::size_t point) const {
 std::string FrontierReport::cpu_text(std::size_t point) const {
     const auto& price = (*found.points)[point].price;
     if (!price) return "";
+    if (point == 0) return fmt::format("{:.2f}", found.cpu_ms(point)); // what others are times of
     const double half = price->cpu_ratio.half_width() * found.points->cost()->cpu_ms;
     return fmt::format("{:.2f} ± {:.2f}", found.cpu_ms(point), half);
 }
@@ -211,14 +225,19 @@ std::string frontier_head(const FrontierReport& report) {
     return text;
 }
 
-std::string stopped_sentence() {
-    return "Not all was measured: the time was up, or Ctrl-C was pressed.";
+std::string stopped_sentence(const Frontier& found) {
+    std::string text = found.interrupted
+                           ? "Not all was measured: it was interrupted"
+                           : "Not all was measured: the time was up (--seconds gives more)";
+    const std::size_t untimed = found.untimed_rungs().size(), drawn = found.drawn_rungs().size();
+    if (untimed > 0) text += fmt::format("; {} of {} rungs have no time", untimed, drawn);
+    return text + ".";
 }
 
 std::vector<std::string> frontier_text(const FrontierReport& report) {
     std::vector<std::string> lines = frontier_sentences(report);
     lines.push_back(frontier_head(report));
-    if (report.found.stopped) lines.push_back(stopped_sentence());
+    if (report.found.stopped) lines.push_back(stopped_sentence(report.found));
     const std::vector<ReportTable> tables = frontier_tables(report);
     for (std::size_t i = 0; i < tables.size(); ++i) {
         lines.emplace_back();

@@ -46,7 +46,7 @@ std::vector<std::string> frontier_sentences(const FrontierReport& report);
 std::vector<ReportTable> frontier_tables(const FrontierReport& report);
 
 // Of a report that was stopped.
-std::string stopped_sentence();
+std::string stopped_sentence(const measure::Frontier& found);
 // What was measured, on which machine: a line.
 std::string frontier_head(const FrontierReport& report);
 // All of it, with a plot; lines without line ends.

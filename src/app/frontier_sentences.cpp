@@ -1,6 +1,7 @@
 #include "app/frontier_report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -11,21 +12,23 @@ using measure::Frontier;
 using measure::Ladder;
 using measure::LadderRung;
 
-// What more time buys, from the knee on.
+// What more time buys, from the knee on: that point which gains most for each doubling of the time,
+// of which there is one at least. Twice the time, where nothing beyond gains more.
 std::string beyond(const Frontier& found, std::size_t knee) {
-    std::optional<std::size_t> best, next;
+    double most = 0, times = 0, gain = 0;
     for (const auto& p : found.frontier) {
-        if (found.error(p.point) >= found.error(knee)) continue;
-        if (!next) next = p.point;
-        if (found.cpu_ms(p.point) <= 2 * found.cpu_ms(knee)) best = p.point;
+        const double as_long = found.cpu_ms(p.point) / found.cpu_ms(knee),
+                     less = found.error(knee) - found.error(p.point);
+        if (less <= 0 || as_long <= 0) continue;
+        const double a_doubling = less / std::max(1.0, std::log2(as_long));
+        if (a_doubling <= most) continue;
+        most = a_doubling;
+        times = as_long;
+        gain = less;
     }
-    if (best)
-        return fmt::format("twice the time buys {:.2f} codes.",
-                           found.error(knee) - found.error(*best));
-    if (next)
-        return fmt::format("the next step, to {:.2f} codes, takes {:.1f} times as long.",
-                           found.error(*next), found.cpu_ms(*next) / found.cpu_ms(knee));
-    return "nothing more accurate was found.";
+    if (most == 0) return "nothing more accurate was found.";
+    if (times <= 2) return fmt::format("twice the time buys {:.2f} codes.", gain);
+    return fmt::format("{:.1f} times the time buys {:.2f} codes.", times, gain);
 }
 
 std::string knee_sentence(const FrontierReport& report) {
@@ -128,6 +131,7 @@ std::string free_sentence(const Frontier& found) {
     for (const Ladder& ladder : found.ladders)
         if (std::string rung = free_rung(found, ladder); !ladder.is_flat() && !rung.empty())
             free.push_back(std::move(rung));
+    if (free.empty() && !found.untimed_rungs().empty()) return "Free: nothing that was timed.";
     if (free.empty()) return "Free: no rung but the cheapest of each axis.";
     return fmt::format("Free: {}: no more CPU time than the quickest rung of the axis.",
                        fmt::join(free, ", "));

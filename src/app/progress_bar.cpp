@@ -73,7 +73,7 @@ ProgressBar::~ProgressBar() {
 
 void ProgressBar::show(double fraction) {
     const int percent = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 100);
-    if (!write_ || percent == shown_ || watch_.milliseconds() < patience_) return;
+    if (!write_ || percent <= shown_ || watch_.milliseconds() < patience_) return;
     shown_ = percent;
     write_(progress_line(what_, percent, time_left(fraction, watch_.milliseconds())));
 }

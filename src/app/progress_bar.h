@@ -32,7 +32,7 @@ public:
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    void show(double fraction); // 0 to 1
+    void show(double fraction); // 0 to 1; less than before changes nothing
 
 private:
     std::string what_;

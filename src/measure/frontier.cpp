@@ -45,7 +45,29 @@ double Frontier::cpu_ms(std::size_t point) const {
 double Frontier::wall_ms(std::size_t point) const {
     const auto own = points->cost();
     const auto& price = (*points)[point].price;
-    return own && price ? own->wall_ms * price->wall_ratio.median : 0;
+    if (!own || !price) return 0;
+    const Difference& wall = price->wall_ratio;
+    const double cpu = price->cpu_ratio.median;
+    return own->wall_ms * (wall.low <= cpu && cpu <= wall.high ? cpu : wall.median);
+}
+
+std::vector<std::size_t> Frontier::drawn_rungs() const {
+    std::vector<std::size_t> drawn;
+    for (const Ladder& ladder : ladders)
+        for (const LadderRung& rung : ladder.rungs)
+            if (rung.point) drawn.push_back(*rung.point);
+    std::sort(drawn.begin(), drawn.end());
+    drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
+    return drawn;
+}
+
+std::vector<std::size_t> Frontier::untimed_rungs() const {
+    std::vector<std::size_t> untimed = drawn_rungs();
+    std::erase_if(untimed, [&](std::size_t i) { return (*points)[i].price.has_value(); });
+    std::stable_sort(untimed.begin(), untimed.end(), [&](std::size_t a, std::size_t b) {
+        return (*points)[a].first_ms < (*points)[b].first_ms;
+    });
+    return untimed;
 }
 
 double Frontier::least_wall_ms() const {

@@ -40,11 +40,18 @@ struct Frontier {
     std::vector<EffectPrice> effects;    // those that are on
     std::vector<FrontierPoint> frontier; // quickest first; none where times or errors are missing
     bool stopped = false;                // before all was measured, or slow rungs were left out
+    bool interrupted = false;            // by the user, not by the time
 
     // Of a frame: the median of the picture as asked for, times how often as much the point takes.
+    // Wall time grows like CPU time, unless it was measured to do otherwise: its own ratio is what
+    // other work on the machine disturbs.
     double cpu_ms(std::size_t point) const;
     double wall_ms(std::size_t point) const;
     double error(std::size_t point) const { return (*points)[point].error.rmse_codes; }
+    // Of the rungs of all ladders, each once: those that were drawn, and of these the ones without
+    // a time, quickest first as far as their first frames tell.
+    std::vector<std::size_t> drawn_rungs() const;
+    std::vector<std::size_t> untimed_rungs() const;
     // Of the frontier, whose order is that of CPU times; it has a point.
     double least_wall_ms() const;
     // Of Points; nothing of an empty frontier.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace scanout::measure {
 
@@ -43,7 +44,7 @@ void FrontierSearch::step() {
 }
 
 void FrontierSearch::stop() {
-    found_.stopped = true;
+    found_.stopped = found_.interrupted = true;
     timed_.reset();
     if (phase_ == Phase::ladders) drop_undrawn();
     if (!finished()) phase_ = Phase::end;
@@ -143,13 +144,31 @@ void FrontierSearch::price_effect() {
     begin_rung_times();
 }
 
-// Quick ones first: there are more of them on the frontier.
+// First the ends of each axis, its quickest rung and its most accurate one: what the least time and
+// the least error are must not depend on the time that is left. Then quick ones first: there are
+// more of them on the frontier.
 void FrontierSearch::begin_rung_times() {
     const Points& points = *found_.points;
+    std::vector<bool> is_end(points.all().size());
+    for (const Ladder& ladder : found_.ladders) {
+        if (ladder.is_flat()) continue;
+        std::optional<std::size_t> quickest, most_accurate;
+        for (const LadderRung& rung : ladder.rungs) {
+            if (!rung.point) continue;
+            if (!quickest || points[*rung.point].first_ms < points[*quickest].first_ms)
+                quickest = rung.point;
+            if (!most_accurate || found_.error(*rung.point) < found_.error(*most_accurate))
+                most_accurate = rung.point;
+        }
+        if (quickest) is_end[*quickest] = true;
+        if (most_accurate && points.has_errors()) is_end[*most_accurate] = true;
+    }
+    ends_ = static_cast<std::size_t>(std::count(is_end.begin(), is_end.end(), true));
     order_.resize(points.all().size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
-        return points[a].first_ms < points[b].first_ms;
+        return std::pair(!is_end[a], points[a].first_ms) <
+               std::pair(!is_end[b], points[b].first_ms);
     });
     next_ = 0;
     phase_ = Phase::rung_times;
@@ -157,7 +176,7 @@ void FrontierSearch::begin_rung_times() {
 }
 
 void FrontierSearch::time_rung() {
-    if (next_ == order_.size() || is_late(0.65)) {
+    if (next_ == order_.size() || is_late(next_ < ends_ ? 1 : 0.65)) {
         if (found_.points->has_errors()) return begin_climb();
         phase_ = Phase::end; // there is no frontier
         return;

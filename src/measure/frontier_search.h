@@ -87,6 +87,7 @@ private:
     std::optional<FrontierWalk> walk_;
     std::size_t next_ = 0;           // of what the phase goes through
     std::vector<std::size_t> order_; // in which rungs are timed
+    std::size_t ends_ = 0;           // how many of these are ends of axes
     // The climb: where it stands, the steps up from there that are left to try, and those that are
     // worth taking.
     std::vector<Way> ways_;

@@ -12,7 +12,7 @@ KnownFrontier known(const Frontier& found, std::string date) {
     std::vector<TimedError> at;
     for (const FrontierPoint& p : found.frontier)
         at.push_back({found.wall_ms(p.point), found.error(p.point)});
-    KnownFrontier known{std::move(date), {}};
+    KnownFrontier known{std::move(date), {}, !found.stopped};
     for (const std::size_t i : pareto_set(at)) {
         const std::size_t point = found.frontier[i].point;
         known.points.push_back(

@@ -22,6 +22,8 @@ struct KnownPoint {
 struct KnownFrontier {
     std::string date;               // of the measurement: year-month-day, UTC
     std::vector<KnownPoint> points; // quickest first; each errs less than the one before
+    // Nothing was left out for want of time: what is not among the points cannot be had.
+    bool complete = true;
     friend bool operator==(const KnownFrontier&, const KnownFrontier&) = default;
 };
 

@@ -155,7 +155,7 @@ std::optional<double> OwnMeasurer::edges(const frame::FrameOptions& options) {
 std::optional<double> OwnMeasurer::depths(const frame::FrameOptions& options) {
     if (view_.projection != scene::Projection::perspective) return std::nullopt;
     frame::FrameOptions one = options;
-    one.aa = "none";
+    frame::ask(one, "aa", "none"); // and no samples
     const auto drawn = draw(one);
     if (!drawn) return std::nullopt;
     double squares = 0;
@@ -221,7 +221,7 @@ std::optional<double> OwnMeasurer::texels(const frame::FrameOptions& options) {
 std::optional<double> OwnMeasurer::shadows(const frame::FrameOptions& options) {
     constexpr double kWrong = 0.1; // of the light
     frame::FrameOptions one = options, open, without;
-    one.aa = "none";
+    frame::ask(one, "aa", "none"); // and no samples
     open = without = one;
     open.effects["shadow"] = false;
     without.lights.clear();
@@ -294,7 +294,7 @@ std::optional<double> OwnMeasurer::codes_seen_through(const frame::FrameOptions&
 std::optional<double> OwnMeasurer::codes_of_squares(const frame::FrameOptions& options) {
     constexpr int kSide = 8;
     frame::FrameOptions one = options;
-    one.aa = "none";
+    frame::ask(one, "aa", "none"); // and no samples
     one.encode = "srgb";
     const auto drawn = draw(one);
     if (!drawn || drawn->linear.pixel.empty()) return std::nullopt;

@@ -92,6 +92,19 @@ TEST(OwnMeasure, DitherLeavesNoBands) {
     EXPECT_LT(dither.at("bayer"), 1.0 / 128);
 }
 
+// What is measured by the pixel's middle is so whatever number of samples the picture has.
+TEST(OwnMeasure, IsThereWhateverSamplesAreAskedFor) {
+    for (const auto& [axis, shot] :
+         {std::pair{"depth", test::solids("solids")}, std::pair{"dither", test::solids("solids")},
+          std::pair{"shadow", test::shadowed("shadows", "auto")}}) {
+        Shot sampled = shot;
+        sampled.options.samples = 4;
+        const auto found = measured(shot, axis);
+        EXPECT_GE(found.size(), 2U) << axis;
+        EXPECT_EQ(measured(sampled, axis), found) << axis;
+    }
+}
+
 TEST(OwnMeasure, FewerPixelsBlurEdges) {
     auto scale = measured(test::solids("solids"), "render_scale");
     EXPECT_GT(scale.at("quarter"), scale.at("half"));

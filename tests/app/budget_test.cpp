@@ -129,7 +129,7 @@ TEST_F(Budget, ADamagedFileIsMeasuredAnew) {
     EXPECT_THAT(chosen->notes, testing::ElementsAre(HasSubstr(folder.file("cache"))));
     std::filesystem::remove(folder.file("cache"));
     ASSERT_TRUE(choose({1000, {}}));
-    std::ofstream(cache.file_of(key())) << "scanout-frontier 1\ngarbage";
+    std::ofstream(cache.file_of(key())) << "scanout-frontier 2\ngarbage";
     const auto again = choose({1000, {}});
     ASSERT_TRUE(again);
     EXPECT_FALSE(again->cached);
@@ -153,6 +153,16 @@ TEST_F(Budget, SaysWhatThereIsWhereNothingMeetsIt) {
         {(known.points[0].wall_ms + known.points[1].wall_ms) / 2, known.points.back().error});
     EXPECT_FALSE(both->choice.met());
     EXPECT_THAT(both->instead, HasSubstr(", more than --budget "));
+}
+
+// What was left out for want of time may be what is asked for now.
+TEST_F(Budget, WhatWasMeasuredInPartIsNoProofThatThereIsNothing) {
+    ASSERT_TRUE(cache.keep(key(), {"2026-11-29", {{{}, 1, 1, 50}}, false}));
+    EXPECT_TRUE(choose({1000, {}})->cached);
+    const auto fine = choose({{}, 40.0});
+    EXPECT_FALSE(fine->cached);
+    EXPECT_TRUE(fine->choice.met());
+    EXPECT_THAT(to_text(*choose({{}, 0.0})), testing::StartsWith("nearest to 0 codes RMSE: "));
 }
 
 double number_behind(const std::string& text, const std::string& words) {

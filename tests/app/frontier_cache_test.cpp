@@ -38,6 +38,10 @@ TEST(FrontierCache, WhatIsKeptIsFound) {
     EXPECT_FALSE(cache.find(kKey + "threads 2\n"));
     ASSERT_TRUE(cache.keep(kKey, {"2027-01-01", {{{}, 1, 1, 1}}}));
     EXPECT_EQ(cache.find(kKey)->date, "2027-01-01");
+    EXPECT_TRUE(cache.find(kKey)->complete);
+    ASSERT_TRUE(cache.keep(kKey, {"2027-01-02", {{{}, 1, 1, 1}}, false}));
+    EXPECT_EQ(cache.find(kKey)->date, "2027-01-02");
+    EXPECT_FALSE(cache.find(kKey)->complete);
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.file("new/scanout")), {}),
               1);
 }

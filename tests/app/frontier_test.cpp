@@ -143,6 +143,35 @@ TEST(FrontierSentences, SayWhatWasNotMeasured) {
     EXPECT_THAT(said[0], HasSubstr("as asked for"));
     EXPECT_EQ(said[1], "Dearest effect: not measured.");
     EXPECT_EQ(said[2], "Free: not measured.");
+    EXPECT_EQ(stopped_sentence(report.found),
+              "Not all was measured: the time was up (--seconds gives more).");
+}
+
+// A rung that has no time is not said to be none.
+TEST(FrontierSentences, NameARungThatWasNotTimed) {
+    const test::Shot s = test::textured_cube("cube", "auto");
+    test::Shot fine = s;
+    fine.options.aa = "supersampling_4";
+    const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, s.options.width,
+                                       s.options.height);
+    const image::Image reference = test::draw(fine);
+    Jobs jobs(2);
+    measure::FrontierOptions how;
+    bool timing = false;
+    how.progress = [&](double done) { timing = timing || done >= 0.15; };
+    how.stop = [&] { return timing; };
+    FrontierReport report;
+    report.reference = reference;
+    report.found =
+        *measure::frontier(s.scene, frame::facts(s.scene), *view, s.options, jobs, reference, how);
+    ASSERT_FALSE(report.found.untimed_rungs().empty());
+    EXPECT_THAT(stopped_sentence(report.found),
+                testing::MatchesRegex("Not all was measured: it was interrupted; [0-9]+ of [0-9]+ "
+                                      "rungs have no time\\."));
+    const ReportTable errors = frontier_tables(report)[1];
+    EXPECT_EQ(errors.rows.back().front(), "0.5");
+    EXPECT_EQ(errors.rows.back().back(),
+              "nothing that was timed; --aa supersampling_4 errs 0.000 codes");
 }
 
 // A plain model's frame is made of techniques alone.
