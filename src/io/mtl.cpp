@@ -352,7 +352,7 @@ bool MtlReader::map_option(Cursor& at, TextureMap& map) const {
     else if (option == "-cc")
         map.colour_correction = word() == "on";
     else if (option == "-clamp")
-        map.clamp = word() == "on";
+        map.wrap_u = map.wrap_v = word() == "on" ? scene::Wrap::clamp : scene::Wrap::repeat;
     else if (option == "-boost")
         good = number(map.boost);
     else if (option == "-mm")

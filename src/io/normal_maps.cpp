@@ -78,12 +78,13 @@ private:
         double b = share(0.7548776662466927), c = share(0.5698402909980532);
         if (b + c > 1) b = 1 - b, c = 1 - c;
         const DVec2 p = t.at + t.ab * b + t.ac * c;
-        const int x = place(p.x, image_.width()), y = place(p.y, image_.height());
+        const int x = place(p.x, image_.width(), map_.wrap_u),
+                  y = place(p.y, image_.height(), map_.wrap_v);
         count.add(image_.at(x, image_.height() - 1 - y));
     }
-    int place(double t, int size) const {
-        const double whole =
-            map_.clamp ? std::clamp(t, 0.0, double(size - 1)) : t - std::floor(t / size) * size;
+    static int place(double t, int size, scene::Wrap wrap) {
+        const double whole = wrap == scene::Wrap::clamp ? std::clamp(t, 0.0, double(size - 1))
+                                                        : t - std::floor(t / size) * size;
         return std::isfinite(whole) ? std::clamp(static_cast<int>(whole), 0, size - 1) : 0;
     }
 

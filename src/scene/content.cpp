@@ -63,10 +63,12 @@ void add(const geom::Mesh& mesh, ContentHasher& hash) {
 }
 
 void add(const TextureMap& map, ContentHasher& hash) {
-    hash.values(map.texture, map.blend_u, map.blend_v, map.clamp, map.colour_correction, map.boost,
-                map.base, map.gain, map.bump_multiplier, map.offset, map.scale, map.turbulence,
-                map.resolution, map.channel);
+    hash.values(map.texture, map.blend_u, map.blend_v, map.clamps(), map.colour_correction,
+                map.boost, map.base, map.gain, map.bump_multiplier, map.offset, map.scale,
+                map.turbulence, map.resolution, map.channel);
     hash.text(map.reflection_type);
+    if (map.wrap_u != Wrap::repeat || map.wrap_v != Wrap::repeat)
+        hash.values(static_cast<int>(map.wrap_u), static_cast<int>(map.wrap_v));
 }
 
 void add(const Material& m, ContentHasher& hash) {
@@ -74,6 +76,8 @@ void add(const Material& m, ContentHasher& hash) {
                 m.emission, m.refraction, m.illumination);
     hash.optional(m.roughness);
     hash.optional(m.metalness);
+    if (m.unlit) hash.value(m.unlit);
+    if (m.alpha_cut) hash.optional(m.alpha_cut);
     for (const NamedMap& row : kTextureMaps)
         add(*(m.*row.map), hash);
 }

@@ -15,6 +15,9 @@
 
 namespace scanout::scene {
 
+// What lies beyond the edges of a texture.
+enum class Wrap : std::uint8_t { repeat, mirror, clamp };
+
 // A texture map of a material: a texture of the scene and the options that the file gives it
 // (MTL: -blendu -blendv -boost -mm -o -s -t -texres -clamp -bm -imfchan -type).
 struct TextureMap {
@@ -22,13 +25,15 @@ struct TextureMap {
     bool missing = false;      // it was wanted, but could not be read
     std::string path;          // as the file names it
     std::size_t line = 0;      // where it does
-    bool blend_u = true, blend_v = true, clamp = false, colour_correction = false;
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+    bool blend_u = true, blend_v = true, colour_correction = false;
     float boost = 0, base = 0, gain = 1, bump_multiplier = 1;
     Vec3 offset{0}, scale{1}, turbulence{0};
     int resolution = 0;
     char channel = 0; // r g b m l z, 0: not given
     std::string reflection_type;
     bool given() const { return !path.empty(); }
+    bool clamps() const { return wrap_u == Wrap::clamp && wrap_v == Wrap::clamp; } // -clamp on
 };
 
 // A map that a material may have. Most have few of the thirteen, so only a given one takes memory.
@@ -67,6 +72,8 @@ struct Material {
     Vec3 specular{0};                          // Ks
     float shininess = 0;                       // Ns
     float opacity = 1;                         // d, or 1 - Tr
+    bool unlit = false;                        // its colour is seen as it is, whatever the light
+    std::optional<float> alpha_cut;            // glTF: seen where alpha reaches it, whole; else not
     Vec3 transmission{1};                      // Tf
     Vec3 emission{0};                          // Ke
     float refraction = 1;                      // Ni

@@ -35,8 +35,8 @@ std::vector<DVec2> uv_steps(const std::vector<Material>& materials) {
         for (const NamedMap& row : kTextureMaps) {
             const TextureMap& m = material.*row.map;
             if (m.texture < 0) continue;
-            x = m.clamp ? 0 : common(x, step_of(m.scale.x));
-            y = m.clamp ? 0 : common(y, step_of(m.scale.y));
+            x = m.wrap_u == Wrap::clamp ? 0 : common(x, step_of(m.scale.x));
+            y = m.wrap_v == Wrap::clamp ? 0 : common(y, step_of(m.scale.y));
         }
         steps.emplace_back(x, y);
     }

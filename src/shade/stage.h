@@ -126,8 +126,7 @@ const std::array<MapSlot, kMaps>& map_slots(); // [Map]
 
 struct MipChain;
 
-// What lies beyond the edges of a texture.
-enum class Wrap : std::uint8_t { repeat, mirror, clamp };
+using scene::Wrap;
 
 // A map of the block's material; no texture where the material has none, or where no stage of the
 // frame reads it.
@@ -135,7 +134,7 @@ struct BoundMap {
     const scene::Texture* texture = nullptr;
     const scene::TextureMap* map = nullptr; // its options
     const MipChain* mips = nullptr;         // null where the texture is nowhere minified
-    Wrap wrap = Wrap::repeat;
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
 };
 
 // A light as the items of a block see it.

@@ -8,9 +8,16 @@
 namespace scanout::trace {
 namespace {
 
-Edges edges_of(const scene::TextureMap& map, Edges asked) {
+Edges edges_of(scene::Wrap own, Edges asked) {
     if (asked != Edges::as_the_map_says) return asked;
-    return map.clamp ? Edges::clamp : Edges::repeat;
+    switch (own) {
+    case scene::Wrap::clamp:
+        return Edges::clamp;
+    case scene::Wrap::mirror:
+        return Edges::mirror;
+    default:
+        return Edges::repeat;
+    }
 }
 
 // Into [0, 1].
@@ -43,15 +50,15 @@ DVec4 light_of(const image::Rgba8& code, bool encoded) {
 DVec4 texel(const scene::Texture& texture, const scene::TextureMap& map, Edges asked,
             const DVec2& uv, bool encoded) {
     const image::Image& image = texture.image;
-    const Edges edges = edges_of(map, asked);
-    const double u = inside(uv.x * map.scale.x + map.offset.x, edges),
-                 v = inside(uv.y * map.scale.y + map.offset.y, edges);
+    const Edges across = edges_of(map.wrap_u, asked), up = edges_of(map.wrap_v, asked);
+    const double u = inside(uv.x * map.scale.x + map.offset.x, across),
+                 v = inside(uv.y * map.scale.y + map.offset.y, up);
     // Texel centres lie at half-integers; v runs up, rows run down.
     const double x = u * image.width() - 0.5, y = v * image.height() - 0.5;
     const double left = std::floor(x), below = std::floor(y);
     const auto at = [&](int dx, int dy) {
-        const int column = neighbour(static_cast<int>(left) + dx, image.width(), edges),
-                  row = neighbour(static_cast<int>(below) + dy, image.height(), edges);
+        const int column = neighbour(static_cast<int>(left) + dx, image.width(), across),
+                  row = neighbour(static_cast<int>(below) + dy, image.height(), up);
         return light_of(image.row(image.height() - 1 - row)[static_cast<std::size_t>(column)],
                         encoded);
     };

@@ -68,9 +68,12 @@ Sample Tracer::shown(const Hit& hit, const Ray& ray, std::uint32_t index,
     if (occlusion_.any() && ambient != DVec3(0) && !world_.is_blended(hit.triangle))
         ambient = ambient *
                   occlusion_.open(hit, ray, index, static_cast<int>(lights_.others.size()), seed);
-    const DVec3 light = (reflection(surface, eye, ambient, std::span(arrivals).first(count)) +
-                         world_.emission(hit)) *
-                        look_.exposure;
+    const bool unlit = world_.is_unlit(hit);
+    if (unlit) seen.in_doubt = DVec3(0);
+    const DVec3 reflected =
+        unlit ? surface.albedo
+              : reflection(surface, eye, ambient, std::span(arrivals).first(count));
+    const DVec3 light = (reflected + world_.emission(hit)) * look_.exposure;
     for (int c = 0; c < 3; ++c)
         seen.light[c] = tone_(light[c], look_.white);
     return seen;

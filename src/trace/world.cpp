@@ -112,7 +112,11 @@ double World::alpha(const Hit& hit) const {
     case Alpha::opaque:
         return 1;
     case Alpha::cut_out:
-        return mapped_alpha(hit) >= look_->alpha_cut ? 1 : 0;
+        return mapped_alpha(hit) >=
+                       double{material(hit.triangle)
+                                  .alpha_cut.value_or(static_cast<float>(look_->alpha_cut))}
+                   ? 1
+                   : 0;
     case Alpha::blended:
         return mapped_alpha(hit);
     case Alpha::nothing:
@@ -225,6 +229,10 @@ Surface World::surface(const Hit& hit, const Ray& ray) const {
         look_->matt[own < 0 ? look_->matt.size() - 1 : static_cast<std::size_t>(own)] != 0)
         s.highlight = false;
     return s;
+}
+
+bool World::is_unlit(const Hit& hit) const {
+    return look_->emission && material(hit.triangle).unlit;
 }
 
 DVec3 World::emission(const Hit& hit) const {

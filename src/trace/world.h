@@ -43,7 +43,8 @@ public:
     Ground ground(const Hit& hit, const Ray& ray, const DVec3& towards) const;
     // The face's own normal, of any length, on the side that the ray meets.
     DVec3 facing(const Hit& hit, const Ray& ray) const;
-    double model_radius() const; // as the view shows it
+    double model_radius() const;         // as the view shows it
+    bool is_unlit(const Hit& hit) const; // its albedo is what is seen
     DVec3 emission(const Hit& hit) const;
     Reflection reflection(const Hit& hit) const;
 

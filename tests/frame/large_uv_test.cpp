@@ -172,7 +172,9 @@ TEST(Row36, ManyRepeatsOfAClampedMapAreItsBorder) {
     constexpr int kSide = 64;
     for (const bool by_option : {false, true}) {
         ManyRepeats scene(kSide, 16);
-        scene.material().map_diffuse.edit().clamp = !by_option;
+        if (!by_option)
+            scene.material().map_diffuse.edit().wrap_u =
+                scene.material().map_diffuse.edit().wrap_v = scene::Wrap::clamp;
         if (by_option) scene.options().wrap = "clamp";
         const Known t{{{{0, 0}, {kSide * 256, 0}, {0, kSide * 256}}}, {1, 1, 1}, {-1e5, 3e5, -1e5}};
         scene.add(t);

@@ -30,9 +30,9 @@ TEST(MaterialMap, IsReadWithoutMakingOne) {
     Material not_const;
     const TextureMap* const read = not_const.map_normal.operator->();
     EXPECT_EQ(read, &*Material().map_diffuse);
-    not_const.map_normal.edit().clamp = true;
-    EXPECT_TRUE(not_const.map_normal->clamp);
-    EXPECT_FALSE(read->clamp);
+    not_const.map_normal.edit().wrap_u = Wrap::clamp;
+    EXPECT_EQ(not_const.map_normal->wrap_u, Wrap::clamp);
+    EXPECT_EQ(read->wrap_u, Wrap::repeat);
 }
 
 TEST(MaterialMap, ACopyIsAMapOfItsOwn) {

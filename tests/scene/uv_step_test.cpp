@@ -9,7 +9,8 @@ Material with_map(const Vec3& scale, bool clamp = false) {
     Material material;
     material.map_diffuse.edit().texture = 0;
     material.map_diffuse.edit().scale = scale;
-    material.map_diffuse.edit().clamp = clamp;
+    if (clamp)
+        material.map_diffuse.edit().wrap_u = material.map_diffuse.edit().wrap_v = Wrap::clamp;
     return material;
 }
 

@@ -116,7 +116,7 @@ bool MapFacts::shines_by_ks(const scene::Material& m) const {
 }
 
 bool MapFacts::emits(const scene::Material& m) const {
-    return !is_black(m.emission, range(m, shade::kEmissionMap));
+    return (m.unlit && reflects(m)) || !is_black(m.emission, range(m, shade::kEmissionMap));
 }
 
 Vec3 MapFacts::brightest(const scene::Material& m) const {

@@ -87,7 +87,8 @@ std::vector<TexturedSurface> textured_surfaces(const scene::Scene& scene) {
                 found.push_back({.material = m,
                                  .map = use.map,
                                  .texture = shade::mip_use(use.map, *use.options),
-                                 .clamp = use.options->clamp});
+                                 .wrap_u = use.options->wrap_u,
+                                 .wrap_v = use.options->wrap_v});
             std::array<TexturedVertex, 3> vertex;
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t v = mesh.index[3 * t + k];

@@ -16,7 +16,7 @@ struct TexturedSurface {
     std::size_t material = 0;
     shade::Map map{};
     shade::MipUse texture{};
-    bool clamp = false;    // -clamp on
+    scene::Wrap wrap_u{}, wrap_v{};
     bool constant = false; // all its texels are one colour
     // The greatest number of texels that a normalised object unit spans in any direction: by the
     // model's uv, and by a mapping.

@@ -5,6 +5,7 @@
 #include "rows.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -56,30 +57,39 @@ void use(const shade::Filter& filter, bool colour, bool alpha, FramePlan& plan) 
 // Wrap modes, beyond the edges of textures: the user's choice, else what each map says.
 Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const std::string& asked = plan.options.wrap;
-    const shade::Wrapping &repeat = shade::wrap::repeat, &clamp = shade::wrap::clamp;
-    TRY(const shade::Wrapping* const chosen, choose(shade::wrap::kRows, asked, repeat));
-    std::size_t maps = 0, clamped = 0;
+    TRY(const shade::Wrapping* const chosen,
+        choose(shade::wrap::kRows, asked, shade::wrap::repeat));
+    std::size_t maps = 0, clamped = 0, mirrored = 0;
+    std::array<bool, 3> used{}; // by shade::Wrap
     for (const TexturedSurface& surface : facts.textured_surfaces) {
         if (!is_read(surface, plan)) continue;
         ++maps;
-        if (surface.clamp) ++clamped;
+        const auto has = [&](shade::Wrap wrap) {
+            return surface.wrap_u == wrap || surface.wrap_v == wrap;
+        };
+        if (has(shade::Wrap::clamp)) ++clamped;
+        if (has(shade::Wrap::mirror)) ++mirrored;
+        used[static_cast<std::size_t>(surface.wrap_u)] = true;
+        used[static_cast<std::size_t>(surface.wrap_v)] = true;
     }
     const bool automatic = is_auto(asked);
     if (!automatic && maps > 0) {
         plan.wrap = chosen->wrap;
         plan.techniques.push_back(&chosen->card);
     }
-    if (automatic && clamped < maps) plan.techniques.push_back(&repeat.card);
-    if (automatic && clamped > 0) plan.techniques.push_back(&clamp.card);
+    std::string names;
+    for (const shade::Wrapping* row : shade::wrap::kRows) {
+        if (!automatic || !used[static_cast<std::size_t>(row->wrap)]) continue;
+        plan.techniques.push_back(&row->card);
+        names += fmt::format("{}{}", names.empty() ? "" : " and ", row->card.name);
+    }
     planner.choice("wrap",
-                   maps == 0         ? "off"
-                   : !automatic      ? chosen->card.name
-                   : clamped == 0    ? repeat.card.name
-                   : clamped == maps ? clamp.card.name
-                                     : "repeat and clamp",
+                   maps == 0 ? "off" : (automatic ? std::string_view(names) : chosen->card.name),
                    asked,
-                   maps == 0 ? "no texture is read"
-                             : fmt::format("{} of {} maps say -clamp on", clamped, maps),
+                   maps == 0      ? "no texture is read"
+                   : mirrored > 0 ? fmt::format("{} of {} maps are clamped, {} mirrored", clamped,
+                                                maps, mirrored)
+                                  : fmt::format("{} of {} maps say -clamp on", clamped, maps),
                    maps > 0);
     return {};
 }

@@ -11,8 +11,8 @@ using raster::kSubpixel;
 BoundMap bound_map(const GatherInput& in, Map map, const scene::Material& material) {
     const scene::TextureMap& options = material.*map_slots()[map].map;
     return {&in.textures[static_cast<std::size_t>(options.texture)], &options,
-            in.mips->find(mip_use(map, options)),
-            in.wrap.value_or(options.clamp ? Wrap::clamp : Wrap::repeat)};
+            in.mips->find(mip_use(map, options)), in.wrap.value_or(options.wrap_u),
+            in.wrap.value_or(options.wrap_v)};
 }
 
 const scene::Material& GatherInput::material(std::int32_t index) const {

@@ -19,12 +19,20 @@ void emission_run(ShadingBlock& b, bool mapped) {
         }
 }
 
+// A surface without light shows its albedo in place of what it reflects.
+void unlit_run(ShadingBlock& b) {
+    for (int c = 0; c < 3; ++c)
+        for (int i = 0; i < b.count; i += kLanes)
+            store(load<F32>(b.albedo[c] + i), b.colour[c] + i);
+}
+
 SIMD_END
 
 #if SIMD_ONCE
 namespace scanout::shade::map {
 
 SIMD_REGISTER(emission_run);
+SIMD_REGISTER(unlit_run);
 
 extern const Stage emission;
 constinit const Stage emission{{.axis = "map",
@@ -35,7 +43,9 @@ constinit const Stage emission{{.axis = "map",
                                Pass::emission,
                                {},
                                [](ShadingBlock& block, const FrameState& frame) {
-                                   if (!block.lit || block.material->emission == Vec3(0)) return;
+                                   if (!block.lit) return;
+                                   if (block.material->unlit) SIMD_CALL(unlit_run, block);
+                                   if (block.material->emission == Vec3(0)) return;
                                    const BoundMap& map = block.map[kEmissionMap];
                                    const bool mapped = map.texture != nullptr;
                                    if (mapped) frame.filter->sample(block, map, TexelKind::colour);

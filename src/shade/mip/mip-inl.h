@@ -47,8 +47,8 @@ public:
     // Bilinear in a level of each lane; s and t in repeats of the texture.
     template <int kChannels>
     SIMD_INLINE Texel<kChannels> bilinear(F32 s, F32 t, I32 level) const {
-        s = image_.unit(s);
-        t = image_.unit(t);
+        s = image_.unit_x(s);
+        t = image_.unit_y(t);
         const auto whole = level == I32(0);
         if (all(whole)) return bilinear_in_image<kChannels>(s, t);
         // Lanes of level 0 read level 1, which is discarded below.

@@ -54,8 +54,9 @@ public:
           decode_(kind == TexelKind::colour ? ::scanout::detail::kSrgb.decode
                                             : ::scanout::detail::kSrgb.linear),
           width_(bound.texture->image.width()), height_(bound.texture->image.height()),
-          wrap_(bound.wrap), scale_x_(bound.map->scale.x), scale_y_(bound.map->scale.y),
-          offset_x_(bound.map->offset.x), offset_y_(bound.map->offset.y) {}
+          wrap_u_(bound.wrap_u), wrap_v_(bound.wrap_v), scale_x_(bound.map->scale.x),
+          scale_y_(bound.map->scale.y), offset_x_(bound.map->offset.x),
+          offset_y_(bound.map->offset.y) {}
 
     std::int32_t width() const { return width_; }
     std::int32_t height() const { return height_; }
@@ -66,37 +67,51 @@ public:
 
     // Into [0, 1]: repeats by removing whole repeats first, so that large coordinates keep their
     // precision; mirrors or clamps where the map says so. NaN gives 0.
-    SIMD_INLINE F32 unit(F32 t) const {
-        if (wrap_ == Wrap::clamp) return minimum(maximum(t, F32(0.0F)), F32(1.0F));
+    SIMD_INLINE F32 unit_x(F32 t) const { return unit(t, wrap_u_); }
+    SIMD_INLINE F32 unit_y(F32 t) const { return unit(t, wrap_v_); }
+    SIMD_INLINE static F32 unit(F32 t, Wrap wrap) {
+        if (wrap == Wrap::clamp) return minimum(maximum(t, F32(0.0F)), F32(1.0F));
         const F32 safe = convertible(t);
-        if (wrap_ == Wrap::repeat) return safe - floor(safe);
+        if (wrap == Wrap::repeat) return safe - floor(safe);
         const F32 there_and_back = safe - F32(2.0F) * floor(safe * F32(0.5F));
         return select(there_and_back > F32(1.0F), F32(2.0F) - there_and_back, there_and_back);
     }
 
     // Texel coordinates, in texels: x right from the left edge, y up from the bottom edge.
-    SIMD_INLINE F32 x(F32 u) const { return unit(repeats_x(u)) * F32(static_cast<float>(width_)); }
-    SIMD_INLINE F32 y(F32 v) const { return unit(repeats_y(v)) * F32(static_cast<float>(height_)); }
+    SIMD_INLINE F32 x(F32 u) const {
+        return unit_x(repeats_x(u)) * F32(static_cast<float>(width_));
+    }
+    SIMD_INLINE F32 y(F32 v) const {
+        return unit_y(repeats_y(v)) * F32(static_cast<float>(height_));
+    }
 
     // A texel counted from an edge, `size` texels from the other; beyond them by at most `size`.
-    SIMD_INLINE I32 address(I32 i, I32 size) const {
-        if (wrap_ != Wrap::repeat) return minimum(maximum(i, I32(0)), size - I32(1));
+    SIMD_INLINE I32 address_x(I32 i, I32 size) const { return address(i, size, wrap_u_); }
+    SIMD_INLINE I32 address_y(I32 i, I32 size) const { return address(i, size, wrap_v_); }
+    SIMD_INLINE static I32 address(I32 i, I32 size, Wrap wrap) {
+        if (wrap != Wrap::repeat) return minimum(maximum(i, I32(0)), size - I32(1));
         return select(i < I32(0), i + size, select(i >= size, i - size, i));
     }
     // Texel i and the one behind it, for i of -1 to size - 1.
     struct Neighbours {
         I32 first, second;
     };
-    SIMD_INLINE Neighbours neighbours(I32 i, I32 size) const {
+    SIMD_INLINE Neighbours neighbours_x(I32 i, I32 size) const {
+        return neighbours(i, size, wrap_u_);
+    }
+    SIMD_INLINE Neighbours neighbours_y(I32 i, I32 size) const {
+        return neighbours(i, size, wrap_v_);
+    }
+    SIMD_INLINE static Neighbours neighbours(I32 i, I32 size, Wrap wrap) {
         const I32 next = i + I32(1);
-        if (wrap_ != Wrap::repeat) return {maximum(i, I32(0)), minimum(next, size - I32(1))};
+        if (wrap != Wrap::repeat) return {maximum(i, I32(0)), minimum(next, size - I32(1))};
         return {i + (shift_right<31>(i) & size), select(next == size, I32(0), next)};
     }
     // The column of a texel counted from the left, and where the row begins that is counted from
     // the bottom. At most 2^28, an image has up to 2^14 x 2^14 texels.
-    SIMD_INLINE I32 column(I32 x) const { return address(x, I32(width_)); }
+    SIMD_INLINE I32 column(I32 x) const { return address_x(x, I32(width_)); }
     SIMD_INLINE I32 row(I32 y) const {
-        return (I32(height_ - 1) - address(y, I32(height_))) * I32(width_);
+        return (I32(height_ - 1) - address_y(y, I32(height_))) * I32(width_);
     }
     // Linear light of a register of texels.
     template <int kChannels>
@@ -125,7 +140,7 @@ private:
     const std::int32_t* texels_; // image::Rgba8, red in the lowest byte
     const float* decode_;        // of 256 codes
     std::int32_t width_, height_;
-    Wrap wrap_;
+    Wrap wrap_u_, wrap_v_;
     float scale_x_, scale_y_, offset_x_, offset_y_;
 };
 
@@ -139,8 +154,8 @@ SIMD_INLINE BilinearTaps bilinear_taps(const TexelReader& reader, F32 s, F32 t, 
                                        I32 height, I32 begin) {
     const F32 x = s * to_f32(width) - F32(0.5F), y = t * to_f32(height) - F32(0.5F);
     const F32 x0 = floor(x), y0 = floor(y);
-    const auto column = reader.neighbours(to_i32(x0), width);
-    const auto line = reader.neighbours(to_i32(y0), height);
+    const auto column = reader.neighbours_x(to_i32(x0), width);
+    const auto line = reader.neighbours_y(to_i32(y0), height);
     const auto row = [&](I32 from_bottom)
                          SIMD_LAMBDA { return begin + (height - I32(1) - from_bottom) * width; };
     return {column.first, column.second, row(line.first), row(line.second), x - x0, y - y0};

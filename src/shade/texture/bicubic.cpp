@@ -62,8 +62,8 @@ SIMD_INLINE Texel<kChannels> bicubic(const TexelReader& reader, F32 s, F32 t) {
                             SIMD_LAMBDA { return minimum(maximum(i, I32(0)), size - I32(1)); };
     I32 column[4], line[4];
     for (int k = 0; k < 4; ++k) {
-        column[k] = within(reader.address(to_i32(x0) + I32(k - 1), width), width);
-        line[k] = within(reader.address(to_i32(y0) + I32(k - 1), height), height);
+        column[k] = within(reader.address_x(to_i32(x0) + I32(k - 1), width), width);
+        line[k] = within(reader.address_y(to_i32(y0) + I32(k - 1), height), height);
     }
     Texel<kChannels> p[4][4], row[4];
     const CubicWeights across = cubic_weights(x - x0), up = cubic_weights(y - y0);
@@ -79,8 +79,8 @@ SIMD_INLINE Texel<kChannels> bicubic(const TexelReader& reader, F32 s, F32 t) {
 template <int kChannels>
 SIMD_INLINE void bicubic_lanes(ShadingBlock& b, const TexelReader& reader) {
     for (int i = 0; i < b.count; i += kLanes)
-        store_sample(bicubic<kChannels>(reader, reader.unit(reader.repeats_x(load<F32>(b.u + i))),
-                                        reader.unit(reader.repeats_y(load<F32>(b.v + i)))),
+        store_sample(bicubic<kChannels>(reader, reader.unit_x(reader.repeats_x(load<F32>(b.u + i))),
+                                        reader.unit_y(reader.repeats_y(load<F32>(b.v + i)))),
                      b, i);
 }
 

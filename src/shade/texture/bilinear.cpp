@@ -13,8 +13,8 @@ template <int kChannels>
 SIMD_INLINE void bilinear_lanes(ShadingBlock& b, const TexelReader& reader) {
     for (int i = 0; i < b.count; i += kLanes) {
         const BilinearTaps at =
-            bilinear_taps(reader, reader.unit(reader.repeats_x(load<F32>(b.u + i))),
-                          reader.unit(reader.repeats_y(load<F32>(b.v + i))));
+            bilinear_taps(reader, reader.unit_x(reader.repeats_x(load<F32>(b.u + i))),
+                          reader.unit_y(reader.repeats_y(load<F32>(b.v + i))));
         store_sample(blend<kChannels>(reader, at), b, i);
     }
 }

@@ -18,8 +18,8 @@ class Minified {
 public:
     // s and t in repeats of the texture, level in [1, last].
     SIMD_INLINE void add(const MipReader& reader, F32 s, F32 t, F32 level, int item) {
-        s = reader.image().unit(s);
-        t = reader.image().unit(t);
+        s = reader.image().unit_x(s);
+        t = reader.image().unit_y(t);
         const I32 sharp = to_i32(level);
         const MipReader::Levels level_near = reader.levels(sharp);
         near_.store_taps(reader.taps_in_chain(s, t, level_near), item);

@@ -7,6 +7,11 @@ namespace scanout::shade {
 
 using raster::kSubpixel;
 
+// A material with a cut of its own is there or not, whatever --alpha-cut says.
+static float tested(float alpha, float cut) {
+    return alpha >= cut ? 1.0F : 0.0F;
+}
+
 AlphaEvaluator::AlphaEvaluator()
     : block_(std::make_unique<ShadingBlock>()), primitives_(std::make_unique<PrimitiveCache>()) {}
 AlphaEvaluator::~AlphaEvaluator() = default;
@@ -40,7 +45,9 @@ void AlphaEvaluator::bind(std::int32_t index) {
 void AlphaEvaluator::add(std::uint32_t triangle, int x, int y, raster::SampleOffset sample) {
     const std::int32_t material = in_.mesh->material[triangle];
     if (material != material_) bind(material);
-    out_->push_back(block_->material->opacity);
+    const auto& own_cut = block_->material->alpha_cut;
+    const float opacity = block_->material->opacity;
+    out_->push_back(own_cut ? tested(opacity, *own_cut) : opacity);
     if (!constant_) add_item(triangle, x, y, sample);
 }
 
@@ -66,8 +73,9 @@ void AlphaEvaluator::run_block() {
         stage->run(b, *in_.frame);
         check_lanes(b, *in_.frame, *stage);
     }
+    const auto& own_cut = b.material->alpha_cut;
     for (int i = 0; i < b.count; ++i)
-        (*out_)[place_[i]] = b.alpha[i];
+        (*out_)[place_[i]] = own_cut ? tested(b.alpha[i], *own_cut) : b.alpha[i];
     b.count = b.runs = 0;
 }
 

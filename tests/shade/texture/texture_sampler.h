@@ -38,7 +38,7 @@ struct Slopes {
 struct Sampler {
     explicit Sampler(const scene::Texture& t, Wrap wrap = Wrap::repeat)
         : texture(t), chain(make_mip_chain(t.image, TexelKind::colour, jobs())) {
-        block->map[kDiffuseMap] = {&texture, material.map_diffuse.operator->(), &chain, wrap};
+        block->map[kDiffuseMap] = {&texture, material.map_diffuse.operator->(), &chain, wrap, wrap};
     }
     static Jobs& jobs() {
         static Jobs one(1);

@@ -1,0 +1,62 @@
+// What glTF's materials ask of a frame beyond MTL's: a surface without light, and a least alpha of
+// its own.
+#include "math/srgb.h"
+#include "support/scenes.h"
+
+namespace scanout::test {
+namespace {
+
+TEST(GltfMaterials, AnUnlitSurfaceShowsItsColourUnderAnyLight) {
+    Shot s = shot("unlit");
+    scene::Material material = plain(Vec3(1, 0, srgb_decode(std::uint8_t{100})), Vec3(1), 20);
+    material.unlit = true;
+    s.scene.materials = {material};
+    add_sphere(s.scene.mesh, Vec3(0), 0.95F, 32, 16, 0);
+    s.options.tone = "clamp";
+    const int x = s.options.width / 2, y = s.options.height / 2;
+    for (const int offset : {0, 6})
+        EXPECT_EQ(draw(s).at(x + offset, y + offset), (image::Rgba8{255, 0, 100, 255}));
+    s.options.effects = {{"emission", false}}; // then it is a surface like others
+    EXPECT_NE(draw(s).at(x, y), (image::Rgba8{255, 0, 100, 255}));
+}
+
+TEST(GltfMaterials, AnUnlitSurfaceHasItsVertexColoursAndTexture) {
+    Shot s = wrapped_square("unlit", "auto");
+    s.scene.textures = {{"grey", image::Image(1, 1, {188, 188, 188, 255})}};
+    s.scene.materials[0].unlit = true;
+    s.scene.materials[0].diffuse = Vec3(1);
+    s.scene.mesh.colour.assign(s.scene.mesh.position.size(), Vec3(1, 0, 1));
+    s.options.tone = "clamp";
+    EXPECT_EQ(draw(s).at(s.options.width / 2, s.options.height / 2),
+              (image::Rgba8{188, 0, 188, 255}));
+}
+
+// Alpha 150 of 255 everywhere, which neither blends nor asks --alpha-cut.
+TEST(GltfMaterials, ACutOfItsOwnDecidesWhole) {
+    Shot s = wrapped_square("cut", "auto");
+    s.scene.textures = {{"grey", image::Image(1, 1, {255, 255, 255, 150})}};
+    const auto covered = [&] {
+        const image::Image picture = draw(s);
+        return picture.at(s.options.width / 2, s.options.height / 2) != s.options.background;
+    };
+    for (const double option : {0.1, 0.9}) {
+        s.options.alpha_cut = option;
+        s.scene.materials[0].alpha_cut = 0.55F;
+        EXPECT_TRUE(covered());
+        EXPECT_EQ(frame::plan(s.options, frame::facts(s.scene))->transparency.blended, nullptr);
+        s.scene.materials[0].alpha_cut = 0.65F;
+        EXPECT_FALSE(covered());
+    }
+    // A material's own opacity is held against it, too.
+    s.scene.textures[0].image.at(0, 0).a = 255;
+    s.scene.materials[0].opacity = 0.5F;
+    EXPECT_FALSE(covered());
+    s.scene.materials[0].alpha_cut = 0.5F;
+    EXPECT_TRUE(covered());
+    s.scene.materials[0].opacity = 1;
+    s.scene.materials[0].alpha_cut = 1.5F;
+    EXPECT_FALSE(covered());
+}
+
+} // namespace
+} // namespace scanout::test
