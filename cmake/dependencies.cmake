@@ -12,6 +12,9 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)    # libxxhash-dev
 pkg_check_modules(UTF8PROC REQUIRED IMPORTED_TARGET libutf8proc) # libutf8proc-dev
 pkg_check_modules(STB REQUIRED IMPORTED_TARGET stb)             # libstb-dev
+find_package(simdjson CONFIG REQUIRED)      # libsimdjson-dev
+find_package(meshoptimizer CONFIG REQUIRED) # libmeshoptimizer-dev
+pkg_check_modules(DRACO REQUIRED IMPORTED_TARGET draco)          # libdraco-dev
 if(SCANOUT_PROGRAM)
   find_package(CLI11 CONFIG REQUIRED)         # libcli11-dev
   find_package(nlohmann_json CONFIG REQUIRED) # nlohmann-json3-dev

@@ -32,7 +32,7 @@ set(CPACK_PACKAGE_NAME scanout)
 set(CPACK_PACKAGE_CONTACT "the scanout authors <scanout@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "3D model viewer and renderer for the Linux console")
 set(CPACK_PACKAGE_DESCRIPTION
-    "scanout shows OBJ, STL, PLY and OFF models on a text console and draws\n\
+    "scanout shows OBJ, STL, PLY, OFF and glTF models on a text console and draws\n\
 them to files, by the CPU alone: it needs no GPU, no X, no Wayland and no\n\
 OpenGL, and its pictures have the same bits on every machine.")
 set(CPACK_STRIP_FILES ON)

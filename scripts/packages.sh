@@ -6,7 +6,7 @@
 # What the render core and the tests link; tests/arm/sysroot.sh fetches the same for another machine.
 libraries_core=(
     libexpected-dev libfmt-dev libhwy-dev libtbb-dev libglm-dev libpng-dev zlib1g-dev libjpeg62-turbo-dev
-    libxxhash-dev libstb-dev libutf8proc-dev
+    libxxhash-dev libstb-dev libutf8proc-dev libsimdjson-dev libmeshoptimizer-dev libdraco-dev
 )
 libraries_test=(libgtest-dev libgmock-dev librapidcheck-dev libmpfr-dev libgmp-dev)
 

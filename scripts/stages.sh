@@ -222,7 +222,7 @@ stage_tsan() {
     run_ctest tsan -R '^cli\.replay$'
 }
 
-readers=(obj mtl stl ply off gzip image)
+readers=(obj mtl stl ply off gltf gzip image)
 
 # Each reader 25 seconds, one on each core; a crash, a hang or 1 GB is a failure.
 stage_fuzz() {
@@ -359,6 +359,7 @@ stage_assets() {
     configure test release
     build test scanout
     check python3 -B tests/assets/outcomes.py build/test/scanout "$assets"
+    check python3 -B tests/assets/gltf.py build/test/scanout "$assets"
     [ -d "$assets" ] || return 0
     configure_asan
     build asan scanout

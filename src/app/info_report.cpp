@@ -126,6 +126,8 @@ std::vector<std::string> info_lines(const ModelInfo& info) {
                                                       fmt::join(info.materials, ", "))));
     for (const MapInfo& map : info.maps)
         lines.push_back(line("texture", map_text(map)));
+    for (const std::string& camera : info.cameras)
+        lines.push_back(line("camera", camera));
     return lines;
 }
 
@@ -174,6 +176,7 @@ std::string info_json(const ModelInfo& info) {
                                 {"surface", std::move(surface)},
                                 {"materials", info.materials},
                                 {"textures", std::move(maps)},
+                                {"cameras", info.cameras},
                                 {"warnings", info.warnings},
                                 {"version", SCANOUT_VERSION}}));
 }

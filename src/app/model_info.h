@@ -39,6 +39,7 @@ struct ModelInfo {
     std::optional<double> volume;       // cubed, of what encloses one; nothing likewise
     std::vector<std::string> materials; // that have a name
     std::vector<MapInfo> maps;
+    std::vector<std::string> cameras; // of the file, one line each
     std::vector<std::string> warnings;
     double load_ms = 0;
 };

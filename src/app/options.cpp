@@ -246,7 +246,7 @@ constexpr std::array kOptions = std::to_array<Option>({
      }),
      "the model's axis that points up; default: z in STL, else y"},
     {"model-format", 0, "NAME", "", "", 0, 0, Group::model, kRead, Parsed(read_model_format),
-     "the model's format (obj stl ply off), instead of the one that its content tells; a model "
+     "the model's format (obj stl ply off gltf), instead of the one that its content tells; a model "
      "named - is read from standard input"},
 
     {"max-memory", 0, "MB", "", "", 1, 100'000'000, Group::model, kRead,

@@ -1,6 +1,7 @@
 #include "io/formats.h"
 
 #include "io/cursor.h"
+#include "io/gltf.h"
 #include "io/off.h"
 #include "io/ply_header.h"
 #include "io/stl.h"
@@ -21,6 +22,8 @@ constexpr std::array kFormats = {
     Format{ModelFormat::ply, "ply", ".ply",
            "PLY, binary and ASCII: polygons, strips, edges, points, colours, a texture"},
     Format{ModelFormat::off, "off", ".off", "OFF, ASCII: polygons, lines, points, colours"},
+    Format{ModelFormat::gltf, "gltf", ".gltf",
+           "glTF 2.0 and GLB: meshes, materials, textures, at rest"},
 };
 
 // As much of a file is looked at, however large it is.
@@ -34,7 +37,6 @@ struct ForeignFormat {
     std::string_view mark;                      // somewhere in the first bytes of a text
 };
 constexpr std::array kForeign = {
-    ForeignFormat{"glTF", {".gltf", ".glb"}, {"glTF"}, "\"asset\""},
     ForeignFormat{"3MF", {".3mf"}, {}, ""},
     ForeignFormat{"AMF", {".amf"}, {}, "<amf"},
     ForeignFormat{"USD", {".usd", ".usda", ".usdc", ".usdz"}, {"PXR-USDC", "#usda "}, ""},
@@ -56,8 +58,8 @@ constexpr std::array kForeign = {
 std::string extensions_read() {
     std::string text;
     for (const Format& format : kFormats)
-        text += fmt::format("{}{}", text.empty() ? "" : " ", format.extension);
-    return text + ", each as .gz, too";
+        text += fmt::format("{} ", format.extension);
+    return text + ".glb, each as .gz, too";
 }
 
 const ForeignFormat* foreign_format(std::string_view head, const std::string& extension) {
@@ -98,6 +100,7 @@ std::optional<ModelFormat> format_of_content(std::string_view head, std::uint64_
     if (is_ply(head)) return ModelFormat::ply;
     if (is_stl(head, size)) return ModelFormat::stl;
     if (is_off(head)) return ModelFormat::off;
+    if (is_gltf(head)) return ModelFormat::gltf;
     return std::nullopt;
 }
 
@@ -133,6 +136,7 @@ Result<ModelFormat> tell_format(std::string_view head, std::uint64_t size,
                     foreign->name, extensions_read());
     for (const Format& format : kFormats)
         if (format.extension == extension) return format.format;
+    if (extension == ".glb" && !looks_like_obj(head)) return ModelFormat::gltf;
     if (const auto reason = not_a_text_model(head))
         return fail(Exit::unreadable, "{}: {}", path, *reason);
     if (looks_like_obj(head)) return ModelFormat::obj;

@@ -11,7 +11,7 @@
 
 namespace scanout::io {
 
-enum class ModelFormat : std::uint8_t { obj, stl, ply, off };
+enum class ModelFormat : std::uint8_t { obj, stl, ply, off, gltf };
 
 // One line for `scanout list formats`.
 struct Format {

@@ -5,6 +5,7 @@
 #include "geom/build.h"
 #include "geom/diagnose/diagnose.h"
 #include "geom/mend_seams.h"
+#include "io/gltf.h"
 #include "io/gzip.h"
 #include "io/materials.h"
 #include "io/memory_limit.h"
@@ -55,6 +56,7 @@ struct ReadModel {
     double crease_limit_degrees = 180; // no crease angle above makes sense in this format
     double done = 0;                   // of all, when this is read
     std::vector<std::uint32_t> face_lines, position_lines; // of ModelSource
+    std::vector<std::string> cameras;                      // of the scene
 };
 
 using Reader = Result<ReadModel> (*)(std::string_view file, const std::string& path,
@@ -144,16 +146,33 @@ Result<ReadModel> read_off_model(std::string_view file, const std::string& path,
     return model;
 }
 
+Result<ReadModel> read_gltf_model(std::string_view file, const std::string& path,
+                                  Warnings& warnings, const std::function<bool(double)>& progress,
+                                  const Reading& how) {
+    TRY(GltfFile gltf, read_gltf(file, path, warnings, progress, how));
+    ReadModel model;
+    model.times.parse = gltf.parse_ms;
+    model.times.materials = gltf.material_ms;
+    model.materials.materials = std::move(gltf.materials);
+    model.materials.textures = std::move(gltf.textures);
+    model.materials.bytes = gltf.bytes;
+    model.cameras = std::move(gltf.cameras);
+    count(model, std::move(gltf.polygons), gltf.skipped);
+    return model;
+}
+
 struct FormatReader {
     ModelFormat format;
     Reader read;
     double fraction; // of the time that loading takes on one core, in models of a million triangles
+    bool in_order = true; // it reads the file from begin to end, once
 };
 constexpr std::array kReaders = {
     FormatReader{ModelFormat::obj, read_obj_model, 0.25},
     FormatReader{ModelFormat::stl, read_stl_model, 0.35},
     FormatReader{ModelFormat::ply, read_ply_model, 0.2},
     FormatReader{ModelFormat::off, read_off_model, 0.25},
+    FormatReader{ModelFormat::gltf, read_gltf_model, 0.1, false},
 };
 
 // gzip packs text to a tenth and bytes of one value to a thousandth: what unpacks to more than this
@@ -184,13 +203,16 @@ Result<ReadModel> read(const std::string& path, const LoadOptions& options, Warn
                                                [&](const auto& r) { return r.format == format; });
     // What is read leaves memory at once: the file never stands beside its mesh.
     const std::function<bool(double)> progress = [&](double fraction) {
-        const auto done = static_cast<std::size_t>(fraction * static_cast<double>(file.size()));
+        const auto done =
+            reader.in_order ? static_cast<std::size_t>(fraction * static_cast<double>(file.size()))
+                            : 0;
         file.drop_before(done);
         return memory.holds(file.size() - done) &&
                (!options.progress || options.progress(fraction * reader.fraction));
     };
     Reading how{.jobs = options.jobs, .allow_outside = options.allow_outside};
     how.lines = options.source != nullptr;
+    how.memory_bytes = memory.bytes();
     how.texture_bytes = std::min(how.texture_bytes, memory.bytes());
     auto model = reader.read(file.text(), name, warnings, progress, how);
     if (memory.was_exceeded())
@@ -280,6 +302,7 @@ Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& o
     scene.materials = std::move(model.materials.materials);
     scene.unnamed = scene::unnamed_material(options.unnamed_colour);
     scene.textures = std::move(model.materials.textures);
+    scene.cameras = std::move(model.cameras);
     scene.counts = model.counts;
     scene.counts.faces -= built.skipped_faces;
     scene.counts.lines -= built.skipped_lines;

@@ -22,6 +22,7 @@ struct Reading {
     std::size_t part_bytes = std::size_t{512} * 1024;
     std::size_t* read_again = nullptr; // counts the parts that had to be, where given
     std::uint64_t texture_bytes = kTextureBytes;
+    std::uint64_t memory_bytes = ~std::uint64_t{0}; // that the model may take
     bool allow_outside = false; // files outside of the model's folder may be read
     bool lines = false;         // note where elements stand, in formats of lines
 };

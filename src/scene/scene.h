@@ -41,6 +41,7 @@ struct Scene {
     Material unnamed;
     std::vector<Texture> textures;
     ModelCounts counts;
+    std::vector<std::string> cameras; // that the file describes, one line each; none is used
     // Renderers may cache data of a scene while this stays the same; 0: they cache nothing. Two
     // loaded scenes never share one.
     std::uint64_t revision = 0;

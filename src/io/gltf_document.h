@@ -1,0 +1,171 @@
+// The JSON part of a glTF 2.0 file as plain data (Khronos 2021). Indices lie within their arrays,
+// -1 where there is none; counts and offsets are any numbers: gltf_accessor.h holds them against
+// the bytes.
+#pragma once
+
+#include "math/vec.h"
+#include "scene/material.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace scanout::io::gltf {
+
+using Index = std::int32_t; // into an array of the document; -1: none
+
+enum class Component : std::uint16_t {
+    i8 = 5120,
+    u8 = 5121,
+    i16 = 5122,
+    u16 = 5123,
+    u32 = 5125,
+    f32 = 5126
+};
+
+struct Buffer {
+    std::string uri;      // as the file has it
+    bool has_uri = false; // none: the GLB file's chunk
+    std::uint64_t bytes = 0;
+};
+
+// EXT_meshopt_compression of a buffer view.
+struct Meshopt {
+    Index buffer = -1;
+    std::uint64_t offset = 0, bytes = 0, stride = 0, count = 0;
+    std::string mode, filter;
+};
+
+struct BufferView {
+    Index buffer = -1;
+    std::uint64_t offset = 0, bytes = 0, stride = 0; // stride 0: tightly packed
+    std::optional<Meshopt> meshopt;
+};
+
+struct Sparse {
+    std::uint64_t count = 0;
+    Index index_view = -1, value_view = -1;
+    std::uint64_t index_offset = 0, value_offset = 0;
+    Component index_type = Component::u16;
+};
+
+struct Accessor {
+    Index view = -1; // -1: zeros
+    std::uint64_t offset = 0, count = 0;
+    Component component = Component::f32;
+    int rows = 1, columns = 1; // SCALAR and vectors are one column
+    bool normalized = false;
+    std::optional<Sparse> sparse;
+};
+
+// KHR_texture_transform: uv -> offset + rotation * scale * uv, in glTF's uv, whose v runs down.
+struct TextureTransform {
+    DVec2 offset{0}, scale{1};
+    double rotation = 0; // radians, counter-clockwise
+    friend bool operator==(const TextureTransform&, const TextureTransform&) = default;
+};
+
+struct TextureInfo {
+    Index texture = -1;
+    int set = 0;      // n of TEXCOORD_n
+    double scale = 1; // of a normal map
+    TextureTransform transform;
+};
+
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+struct MaterialInfo {
+    std::string name;
+    std::array<double, 4> base_colour{1, 1, 1, 1};
+    double metallic = 1, roughness = 1;
+    std::array<double, 3> emissive{0, 0, 0};
+    double emissive_strength = 1;
+    TextureInfo base_texture, metallic_roughness, normal, emissive_texture;
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    double alpha_cutoff = 0.5;
+    bool double_sided = false, unlit = false;
+};
+
+using scene::Wrap;
+
+struct Sampler {
+    Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
+};
+
+struct TextureSource {
+    Index sampler = -1, image = -1;
+};
+
+struct ImageSource {
+    std::string uri; // empty: in a buffer view
+    std::string mime;
+    Index view = -1;
+};
+
+using Attributes = std::vector<std::pair<std::string, Index>>; // name, accessor
+
+inline Index find(const Attributes& attributes, std::string_view name) {
+    for (const auto& [known, accessor] : attributes)
+        if (known == name) return accessor;
+    return -1;
+}
+
+struct Draco {
+    Index view = -1;
+    std::vector<std::pair<std::string, std::uint32_t>> attributes; // name, Draco's unique id
+};
+
+struct Primitive {
+    Attributes attributes;
+    Index indices = -1, material = -1;
+    int mode = 4;
+    std::optional<Draco> draco;
+    bool morphs = false;
+};
+
+struct MeshInfo {
+    std::vector<Primitive> primitives;
+};
+
+struct Node {
+    std::vector<Index> children;
+    Index mesh = -1, skin = -1;
+    DMat4 matrix{1};      // of its own, to its parent
+    Attributes instances; // EXT_mesh_gpu_instancing
+};
+
+struct Skin {
+    std::vector<Index> joints; // nodes
+    Index inverse_bind = -1;   // accessor
+};
+
+struct CameraInfo {
+    std::string name;
+    bool orthographic = false;
+    double y_fov = 0;
+};
+
+struct Document {
+    std::vector<Buffer> buffers;
+    std::vector<BufferView> views;
+    std::vector<Accessor> accessors;
+    std::vector<ImageSource> images;
+    std::vector<Sampler> samplers;
+    std::vector<TextureSource> textures;
+    std::vector<MaterialInfo> materials;
+    std::vector<MeshInfo> meshes;
+    std::vector<Node> nodes;
+    std::vector<std::vector<Index>> scenes; // root nodes
+    std::vector<CameraInfo> cameras;
+    std::vector<Skin> skins;
+    Index scene = -1; // the default one
+    std::size_t animations = 0;
+    std::vector<std::string> used, required; // extensions
+};
+
+} // namespace scanout::io::gltf

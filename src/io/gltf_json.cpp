@@ -1,0 +1,312 @@
+#include "io/gltf_json.h"
+
+#include "io/gltf_extensions.h"
+#include "io/gltf_json_reader.h"
+#include "io/text.h"
+#include "math/transcendental.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace scanout::io::gltf {
+namespace {
+
+constexpr std::uint64_t kMany = std::uint64_t{1} << 53; // whole numbers of JSON are exact up to it
+
+void read_asset(JsonReader& in, Json root) {
+    const Json asset = in.object(root, "asset");
+    const std::string version = in.text(asset, "version"), least = in.text(asset, "minVersion");
+    const std::string_view needed = least.empty() ? version : least;
+    if (!version.starts_with("2."))
+        in.fault(version.empty()
+                     ? "asset.version is missing: it is no glTF 2.0 file"
+                     : fmt::format("glTF {} is not read: export it as glTF 2.0", shown(version)));
+    else if (needed != "2.0" && !least.empty())
+        in.fault(fmt::format("needs glTF {}, and 2.0 is read", shown(least)));
+}
+
+Buffer read_buffer(JsonReader& in, Json o) {
+    Buffer buffer;
+    buffer.has_uri = in.has(o, "uri");
+    buffer.uri = in.text(o, "uri");
+    buffer.bytes = in.whole(o, "byteLength", 0, kMany);
+    return buffer;
+}
+
+BufferView read_view(JsonReader& in, Json o) {
+    BufferView view;
+    view.buffer = in.index(o, "buffer", "buffers");
+    view.offset = in.whole(o, "byteOffset", 0, kMany);
+    view.bytes = in.whole(o, "byteLength", 0, kMany);
+    view.stride = in.whole(o, "byteStride", 0, 65535);
+    Json packed = in.extension(o, "EXT_meshopt_compression");
+    if (!packed.there()) packed = in.extension(o, "KHR_meshopt_compression");
+    if (packed.there()) {
+        Meshopt& m = view.meshopt.emplace();
+        m.buffer = in.index(packed, "buffer", "buffers");
+        m.offset = in.whole(packed, "byteOffset", 0, kMany);
+        m.bytes = in.whole(packed, "byteLength", 0, kMany);
+        m.stride = in.whole(packed, "byteStride", 0, 256);
+        m.count = in.whole(packed, "count", 0, kMany);
+        m.mode = in.text(packed, "mode");
+        m.filter = in.text(packed, "filter");
+    }
+    return view;
+}
+
+Component read_component(JsonReader& in, Json o) {
+    const std::uint64_t code = in.whole(o, "componentType", 0, 65535);
+    constexpr std::uint64_t kCodes[] = {5120, 5121, 5122, 5123, 5125, 5126};
+    if (std::find(std::begin(kCodes), std::end(kCodes), code) == std::end(kCodes))
+        in.fault_at("componentType", fmt::format("is {}, which is none of glTF's", code));
+    return static_cast<Component>(code);
+}
+
+Accessor read_accessor(JsonReader& in, Json o) {
+    struct Type {
+        std::string_view name;
+        int rows, columns;
+    };
+    static constexpr Type kTypes[] = {{"SCALAR", 1, 1}, {"VEC2", 2, 1}, {"VEC3", 3, 1},
+                                      {"VEC4", 4, 1},   {"MAT2", 2, 2}, {"MAT3", 3, 3},
+                                      {"MAT4", 4, 4}};
+    Accessor a;
+    a.view = in.index(o, "bufferView", "bufferViews");
+    a.offset = in.whole(o, "byteOffset", 0, kMany);
+    a.count = in.whole(o, "count", 0, kMany);
+    a.component = read_component(in, o);
+    a.normalized = in.flag(o, "normalized");
+    const std::string name = in.text(o, "type");
+    const auto* type = std::find_if(std::begin(kTypes), std::end(kTypes),
+                                    [&](const Type& t) { return t.name == name; });
+    if (type == std::end(kTypes)) {
+        in.fault_at("type", fmt::format("is '{}', which is none of glTF's", shown(name)));
+        return a;
+    }
+    a.rows = type->rows;
+    a.columns = type->columns;
+    if (const Json sparse = in.object(o, "sparse"); sparse.there()) {
+        Sparse& s = a.sparse.emplace();
+        s.count = in.whole(sparse, "count", 0, kMany);
+        const Json indices = in.object(sparse, "indices"), values = in.object(sparse, "values");
+        s.index_view = in.index(indices, "bufferView", "bufferViews");
+        s.index_offset = in.whole(indices, "byteOffset", 0, kMany);
+        s.index_type = read_component(in, indices);
+        s.value_view = in.index(values, "bufferView", "bufferViews");
+        s.value_offset = in.whole(values, "byteOffset", 0, kMany);
+    }
+    return a;
+}
+
+ImageSource read_image(JsonReader& in, Json o) {
+    ImageSource image;
+    image.uri = in.text(o, "uri");
+    image.mime = in.text(o, "mimeType");
+    image.view = in.index(o, "bufferView", "bufferViews");
+    return image;
+}
+
+Sampler read_sampler(JsonReader& in, Json o) {
+    const auto wrap = [&](std::string_view key) {
+        switch (in.whole(o, key, 10497, 65535)) {
+        case 33071:
+            return Wrap::clamp;
+        case 33648:
+            return Wrap::mirror;
+        default:
+            return Wrap::repeat;
+        }
+    };
+    return {wrap("wrapS"), wrap("wrapT")};
+}
+
+TextureSource read_texture(JsonReader& in, Json o) {
+    TextureSource texture;
+    texture.sampler = in.soft_index(o, "sampler", "samplers");
+    texture.image = in.soft_index(o, "source", "images");
+    return texture;
+}
+
+TextureInfo read_texture_info(JsonReader& in, Json of, std::string_view key) {
+    TextureInfo info;
+    const Json o = in.object(of, key);
+    if (!o.there()) return info;
+    info.texture = in.soft_index(o, "index", "textures");
+    info.set = static_cast<int>(in.whole(o, "texCoord", 0, 1000));
+    info.scale = in.number(o, "scale", 1);
+    if (const Json t = in.extension(o, "KHR_texture_transform"); t.there()) {
+        in.numbers(t, "offset", &info.transform.offset.x, 2);
+        in.numbers(t, "scale", &info.transform.scale.x, 2);
+        info.transform.rotation = in.number(t, "rotation", 0);
+        info.set = static_cast<int>(in.whole(t, "texCoord", info.set, 1000));
+    }
+    return info;
+}
+
+MaterialInfo read_material(JsonReader& in, Json o) {
+    MaterialInfo m;
+    m.name = in.text(o, "name");
+    if (const Json pbr = in.object(o, "pbrMetallicRoughness"); pbr.there()) {
+        in.numbers(pbr, "baseColorFactor", m.base_colour.data(), 4);
+        m.metallic = in.number(pbr, "metallicFactor", 1);
+        m.roughness = in.number(pbr, "roughnessFactor", 1);
+        m.base_texture = read_texture_info(in, pbr, "baseColorTexture");
+        m.metallic_roughness = read_texture_info(in, pbr, "metallicRoughnessTexture");
+    }
+    if (const Json old = in.extension(o, "KHR_materials_pbrSpecularGlossiness"); old.there()) {
+        // Its diffuse part; a mirror's colour becomes none, as no metal is told.
+        in.numbers(old, "diffuseFactor", m.base_colour.data(), 4);
+        m.base_texture = read_texture_info(in, old, "diffuseTexture");
+        m.metallic_roughness = {};
+        m.metallic = 0;
+        m.roughness = 1 - in.number(old, "glossinessFactor", 1);
+    }
+    m.normal = read_texture_info(in, o, "normalTexture");
+    m.emissive_texture = read_texture_info(in, o, "emissiveTexture");
+    in.numbers(o, "emissiveFactor", m.emissive.data(), 3);
+    if (const Json strength = in.extension(o, "KHR_materials_emissive_strength"); strength.there())
+        m.emissive_strength = in.number(strength, "emissiveStrength", 1);
+    const std::string mode = in.text(o, "alphaMode");
+    m.alpha_mode = mode == "MASK"    ? AlphaMode::mask
+                   : mode == "BLEND" ? AlphaMode::blend
+                                     : AlphaMode::opaque;
+    m.alpha_cutoff = in.number(o, "alphaCutoff", 0.5);
+    m.double_sided = in.flag(o, "doubleSided");
+    m.unlit = in.extension(o, "KHR_materials_unlit").there();
+    return m;
+}
+
+Attributes read_attributes(JsonReader& in, Json of, std::string_view key) {
+    Attributes attributes;
+    in.each_field(in.object(of, key), [&](std::string_view name, Json value) {
+        attributes.emplace_back(name, in.index_of(value, name, "accessors"));
+    });
+    return attributes;
+}
+
+Primitive read_primitive(JsonReader& in, Json o) {
+    Primitive p;
+    p.attributes = read_attributes(in, o, "attributes");
+    p.indices = in.index(o, "indices", "accessors");
+    p.material = in.soft_index(o, "material", "materials");
+    p.mode = static_cast<int>(in.whole(o, "mode", 4, 65535));
+    p.morphs = in.has(o, "targets");
+    if (const Json packed = in.extension(o, "KHR_draco_mesh_compression"); packed.there()) {
+        Draco& draco = p.draco.emplace();
+        draco.view = in.index(packed, "bufferView", "bufferViews");
+        in.each_field(in.object(packed, "attributes"), [&](std::string_view name, Json value) {
+            draco.attributes.emplace_back(
+                name, static_cast<std::uint32_t>(in.whole_of(value, name, 0xffffffff)));
+        });
+    }
+    return p;
+}
+
+MeshInfo read_mesh(JsonReader& in, Json o) {
+    MeshInfo mesh;
+    in.each(o, "primitives",
+            [&](Json primitive) { mesh.primitives.push_back(read_primitive(in, primitive)); });
+    return mesh;
+}
+
+// Of a quaternion x, y, z, w of any length but 0, which turns nothing.
+DMat3 rotation_of(const double* q) {
+    const double square = (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]);
+    if (!(square > 0) || !std::isfinite(square)) return DMat3(1);
+    const double s = 2 / square, x = q[0], y = q[1], z = q[2], w = q[3];
+    return {DVec3(1 - s * (y * y + z * z), s * (x * y + w * z), s * (x * z - w * y)),
+            DVec3(s * (x * y - w * z), 1 - s * (x * x + z * z), s * (y * z + w * x)),
+            DVec3(s * (x * z + w * y), s * (y * z - w * x), 1 - s * (x * x + y * y))};
+}
+
+Node read_node(JsonReader& in, Json o) {
+    Node node;
+    in.each(o, "children",
+            [&](Json child) { node.children.push_back(in.index_of(child, "children", "nodes")); });
+    node.mesh = in.index(o, "mesh", "meshes");
+    node.skin = in.index(o, "skin", "skins");
+    in.index(o, "camera", "cameras"); // of no use yet, but a file without it is damaged
+    if (in.has(o, "matrix")) {
+        in.numbers(o, "matrix", &node.matrix[0][0], 16);
+    } else {
+        DVec3 move(0), size(1);
+        double turn[4] = {0, 0, 0, 1};
+        in.numbers(o, "translation", &move.x, 3);
+        in.numbers(o, "scale", &size.x, 3);
+        in.numbers(o, "rotation", turn, 4);
+        node.matrix = trs_matrix(move, turn, size);
+    }
+    if (const Json many = in.extension(o, "EXT_mesh_gpu_instancing"); many.there())
+        node.instances = read_attributes(in, many, "attributes");
+    return node;
+}
+
+Skin read_skin(JsonReader& in, Json o) {
+    Skin skin;
+    in.each(o, "joints",
+            [&](Json joint) { skin.joints.push_back(in.index_of(joint, "joints", "nodes")); });
+    skin.inverse_bind = in.index(o, "inverseBindMatrices", "accessors");
+    return skin;
+}
+
+CameraInfo read_camera(JsonReader& in, Json o) {
+    CameraInfo camera;
+    camera.name = in.text(o, "name");
+    camera.orthographic = in.text(o, "type") == "orthographic";
+    camera.y_fov = in.number(in.object(o, "perspective"), "yfov", 0);
+    return camera;
+}
+
+template <class T>
+void read_all(JsonReader& in, Json root, std::string_view key, std::vector<T>& out,
+              T (*read)(JsonReader&, Json)) {
+    out.reserve(in.size_of(key));
+    in.each_top(root, key, [&](Json o) { out.push_back(read(in, o)); });
+}
+
+void read_names(JsonReader& in, Json root, std::string_view key, std::vector<std::string>& out) {
+    in.each(root, key, [&](Json name) { out.push_back(in.text_of(name, key)); });
+}
+
+} // namespace
+
+DMat4 trs_matrix(const DVec3& translation, const double* rotation, const DVec3& scale) {
+    const DMat3 turn = rotation_of(rotation);
+    return {DVec4(turn[0] * scale.x, 0), DVec4(turn[1] * scale.y, 0), DVec4(turn[2] * scale.z, 0),
+            DVec4(translation, 1)};
+}
+
+Result<Document> read_document(std::string_view json, const std::string& path, Warnings& warnings) {
+    JsonReader in(path, warnings);
+    const Json root = in.parse(json);
+    read_asset(in, root);
+    TRY_VOID(in.outcome());
+    Document d;
+    read_names(in, root, "extensionsUsed", d.used);
+    read_names(in, root, "extensionsRequired", d.required);
+    TRY_VOID(in.outcome());
+    TRY_VOID(check_extensions(d, path, warnings)); // may change the meaning of all else
+    read_all(in, root, "buffers", d.buffers, read_buffer);
+    read_all(in, root, "bufferViews", d.views, read_view);
+    read_all(in, root, "accessors", d.accessors, read_accessor);
+    read_all(in, root, "images", d.images, read_image);
+    read_all(in, root, "samplers", d.samplers, read_sampler);
+    read_all(in, root, "textures", d.textures, read_texture);
+    read_all(in, root, "materials", d.materials, read_material);
+    read_all(in, root, "meshes", d.meshes, read_mesh);
+    read_all(in, root, "nodes", d.nodes, read_node);
+    read_all(in, root, "skins", d.skins, read_skin);
+    read_all(in, root, "cameras", d.cameras, read_camera);
+    in.each_top(root, "scenes", [&](Json o) {
+        auto& roots = d.scenes.emplace_back();
+        in.each(o, "nodes", [&](Json n) { roots.push_back(in.index_of(n, "nodes", "nodes")); });
+    });
+    d.scene = in.index(root, "scene", "scenes");
+    d.animations = in.size_of("animations");
+    TRY_VOID(in.outcome());
+    return d;
+}
+
+} // namespace scanout::io::gltf

@@ -1,0 +1,66 @@
+// A primitive of a mesh, found and checked: what of it is there, and how much. Khronos 2021, 3.7.2.
+#pragma once
+
+#include "base/result.h"
+#include "base/warnings.h"
+#include "io/gltf_accessor.h"
+#include "io/gltf_draco.h"
+#include "io/gltf_skin.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scanout::io::gltf {
+
+enum class Mode : std::uint8_t {
+    points,
+    lines,
+    line_loop,
+    line_strip,
+    triangles,
+    triangle_strip,
+    triangle_fan
+};
+
+struct PrimitiveData {
+    Mode mode = Mode::triangles;
+    Index material = -1;
+    View positions;                            // three components
+    std::optional<View> normals, colours, uvs; // as many elements as positions
+    std::optional<View> indices;               // one component, unsigned
+    std::vector<Influences> influences;        // of joints; as many elements as positions
+    std::uint64_t corners() const { return indices ? indices->count : positions.count; }
+};
+
+class Primitives {
+public:
+    Primitives(const Document& document, Buffers& buffers, const std::string& path,
+               Warnings& warnings)
+        : document_(document), buffers_(buffers), accessors_(document, buffers, path), path_(path),
+          warnings_(warnings) {}
+
+    // uv_set: which TEXCOORD_n. Fails (Exit::unreadable) where positions or indices are not there;
+    // other attributes that are not are warnings, and none. Views are good as long as this object.
+    Result<PrimitiveData> find(Index mesh, std::size_t primitive, int uv_set);
+
+    Accessors& accessors() { return accessors_; }
+
+private:
+    Result<const UnpackedDraco*> draco(Index mesh, std::size_t primitive);
+    std::optional<View> attribute(const Primitive& primitive, const UnpackedDraco* packed,
+                                  std::string_view name, int least_rows, std::uint64_t count,
+                                  const std::string& place);
+
+    const Document& document_;
+    Buffers& buffers_;
+    Accessors accessors_;
+    const std::string& path_;
+    Warnings& warnings_;
+    std::map<std::pair<Index, std::size_t>, Result<UnpackedDraco>> draco_;
+};
+
+} // namespace scanout::io::gltf
