@@ -39,7 +39,7 @@ def check_guide():
 
 def main():
     check_guide()
-    models = sorted(path for ending in ("obj", "stl", "ply", "off") for path in glob.glob(f"models/*/*.{ending}", root_dir=ROOT))
+    models = sorted(path for ending in ("obj", "stl", "ply", "off", "glb") for path in glob.glob(f"models/*/*.{ending}", root_dir=ROOT))
     said = "".join(map(outcome, models))
     if os.environ.get("SCANOUT_UPDATE_GOLDEN"):
         open(EXPECTED, "w").write(said)
