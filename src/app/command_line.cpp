@@ -117,11 +117,15 @@ void declare(CLI::App& parser, Given& given) {
 
 Result<void> unknown_option(const std::string& word, Command command) {
     const std::string name = word.substr(0, word.find('='));
-    for (const Option& option : options())
-        if (name == "--" + std::string(option.name))
-            return fail(Exit::usage,
-                        "{} does not belong to this command; leave it out, or see --help-all",
-                        name);
+    std::vector<std::string_view> takers; // commands that have it
+    for (const NamedCommand& row : kCommands)
+        if (find_option(name, static_cast<unsigned>(row.command)) != nullptr)
+            takers.push_back(row.name);
+    if (!takers.empty())
+        return fail(Exit::usage,
+                    "{} is for {}, not for this command; leave it out, or see "
+                    "--help-all",
+                    name, fmt::join(takers, " and "));
     if (exists(word))
         return fail(Exit::usage, "there is no option {}; write the file as -- {} or ./{}", word,
                     word, word);

@@ -31,6 +31,14 @@ void list_techniques(const Settings& settings) {
                    exception_of(*t));
 }
 
+void list_renderers(const Settings&) {
+    for (const textbook::Method& renderer : textbook::renderers())
+        fmt::print("{:<14} {:<20} {}\n", "renderer", renderer.name, renderer.blurb);
+    for (const textbook::Part& part : textbook::parts())
+        for (const textbook::Method& method : part.methods)
+            fmt::print("{:<14} {:<20} {}\n", part.name, method.name, method.blurb);
+}
+
 std::string_view describe(std::string_view target) {
     if (target == "avx3") return "AVX-512: 16 lanes";
     if (target == "avx2") return "AVX2: 8 lanes";
@@ -81,6 +89,7 @@ constexpr std::array kTopics = {
     Topic{"targets", list_targets, targets_json},
     Topic{"keys", list_keys, keys_json},
     Topic{"options", list_options, options_json},
+    Topic{"renderers", list_renderers, renderers_json},
 };
 
 // A second word is an axis of techniques.

@@ -35,7 +35,8 @@ constexpr std::string_view kOverview =
     "pixels\n"
     "  info MODEL         counts, size, surface, materials, textures found and missing\n"
     "  compare A B        compare two pictures, with two numbers as tolerance\n"
-    "  list WHAT          displays connectors modes techniques formats targets keys options\n"
+    "  list WHAT          displays connectors modes techniques formats targets keys options "
+    "renderers\n"
     "  restore            the console on the screen back to text, after a program that died\n"
     "  generate WHAT      a manual page, or completions for a shell: man bash zsh fish\n"
     "\n"
@@ -170,7 +171,8 @@ std::string_view introduction(Command command) {
            "  scanout list formats       files that can be read, pixel formats of displays\n"
            "  scanout list targets       instruction sets\n"
            "  scanout list keys          keys of the viewer\n"
-           "  scanout list options       all options, as a table\n";
+           "  scanout list options       all options, as a table\n"
+           "  scanout list renderers     textbook renderers and their parts\n";
 }
 
 namespace {

@@ -102,4 +102,17 @@ std::string options_json(const Settings&) {
     return json_text(rows);
 }
 
+std::string renderers_json(const Settings&) {
+    Json rows = Json::array();
+    const auto add = [&](std::string_view part, const textbook::Method& method) {
+        rows.push_back({{"part", part}, {"name", method.name}, {"blurb", method.blurb}});
+    };
+    for (const textbook::Method& renderer : textbook::renderers())
+        add("renderer", renderer);
+    for (const textbook::Part& part : textbook::parts())
+        for (const textbook::Method& method : part.methods)
+            add(part.name, method);
+    return json_text(rows);
+}
+
 } // namespace scanout::app

@@ -18,5 +18,6 @@ std::string formats_json(const Settings& settings);
 std::string targets_json(const Settings& settings);
 std::string keys_json(const Settings& settings);
 std::string options_json(const Settings& settings);
+std::string renderers_json(const Settings& settings); // and their parts
 
 } // namespace scanout::app

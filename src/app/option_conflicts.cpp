@@ -1,5 +1,7 @@
 #include "app/option_conflicts.h"
 
+#include "app/textbook_options.h"
+
 #include <algorithm>
 #include <array>
 
@@ -9,7 +11,7 @@ bool exclude_each_other(std::string_view name, std::string_view other) {
     using Rivals = std::array<std::string_view, 6>;
     constexpr std::array kRivals = {
         Rivals{"view", "camera", "eye", "look-at"}, // where the camera stands
-        Rivals{"samples", "aa"}, Rivals{"verbose", "quiet"},
+        Rivals{"samples", "aa"}, Rivals{"verbose", "quiet"}, Rivals{"reference", "renderer"},
         Rivals{"budget", "max-error", "reference", "no-times", "record", "replay"}};
     const auto names_both = [&](const Rivals& rivals) {
         return std::count(rivals.begin(), rivals.end(), name) > 0 &&
@@ -38,6 +40,9 @@ Result<void> check_together(const Settings& s) {
         s.limits.any() && !steadying.empty())
         return fail(Exit::usage, "{} chooses by the clock, which {} leaves out; give one of them",
                     s.limits.wall_ms ? "--budget" : "--max-error", steadying);
+    if (s.reference && s.renderer)
+        return fail(Exit::usage, "--reference and --renderer each say who draws: give one of them");
+    TRY_VOID(check_textbook(s));
     if (s.verbose && s.quiet) return fail(Exit::usage, "--verbose and --quiet: give one of them");
     return {};
 }

@@ -75,6 +75,24 @@ constexpr Option axis_option(std::string_view name, unsigned commands = kDraw) {
             a.help};
 }
 
+// A part of the textbook renderers (src/textbook/methods.h); set(settings, index of the method).
+struct PartOption {
+    std::string_view part, choices, help;
+};
+#define SCANOUT_METHOD(name, blurb) #name " "
+#define SCANOUT_PART(part, Type, METHODS, help)                                                    \
+    {#part, without_end(METHODS(SCANOUT_METHOD)), "of --renderer: " help},
+constexpr PartOption kParts[] = {TEXTBOOK_PARTS(SCANOUT_PART)};
+constexpr std::string_view kRenderers = without_end("scanout " TEXTBOOK_RENDERER(SCANOUT_METHOD));
+#undef SCANOUT_METHOD
+#undef SCANOUT_PART
+constexpr Option part_option(std::string_view name, Choice set) {
+    const PartOption& p = *std::find_if(std::begin(kParts), std::end(kParts),
+                                        [&](const PartOption& part) { return part.part == name; });
+    return {name, 0,      "",    p.choices,     "", 0, 0, Group::picture, kRender,
+            set,  p.help, false, name == "clip"};
+}
+
 // Rows: name, letter, value, choices, default, min, max, group, commands, slot, help.
 constexpr std::array kOptions = std::to_array<Option>({
     {"output", 'o', "FILE", "", "", 0, 0, Group::output, kRender,
@@ -278,6 +296,27 @@ constexpr std::array kOptions = std::to_array<Option>({
      "cuts "
      "away where x is above half of the model's box, -x:0.5 where it is below (also y, z); or "
      "NX,NY,NZ,D, where NX x + NY y + NZ z is above D in the file's coordinates"},
+    {"renderer", 0, "", kRenderers, "scanout", 0, 0, Group::picture, kRender,
+     Choice([](Settings& s, std::size_t i) {
+         s.renderer.reset();
+         if (i > 0) s.renderer = static_cast<textbook::Renderer>(i - 1);
+     }),
+     "who draws: scanout, or plain code by the methods of textbooks (`list renderers`)"},
+    part_option("line",
+                [](Settings& s, std::size_t i) { s.parts.line = static_cast<textbook::Line>(i); }),
+    part_option("fill",
+                [](Settings& s, std::size_t i) { s.parts.fill = static_cast<textbook::Fill>(i); }),
+    part_option("interpolation",
+                [](Settings& s, std::size_t i) {
+                    s.parts.interpolation = static_cast<textbook::Interpolation>(i);
+                }),
+    part_option("hidden", [](Settings& s,
+                             std::size_t i) { s.parts.hidden = static_cast<textbook::Hidden>(i); }),
+    part_option("clip",
+                [](Settings& s, std::size_t i) {
+                    const auto clip = static_cast<textbook::Clip>(i);
+                    (textbook::cuts_lines(clip) ? s.parts.line_clip : s.parts.clip) = clip;
+                }),
     {"reference", 0, "", "", "", 0, 0, Group::picture, kRender,
      Switch([](Settings& s) -> bool& { return s.reference; }),
      "draw by rays in double precision, 16 to 4096 samples a pixel: slow, the picture that "

@@ -7,6 +7,7 @@
 #include "app/picture.h"
 #include "app/progress_bar.h"
 #include "app/reference.h"
+#include "app/textbook_options.h"
 #include "base/stopwatch.h"
 #include "frame/blank_picture.h"
 #include "frame/plan/ignored_options.h"
@@ -44,6 +45,7 @@ Result<void> RenderRun::draw(int index, RunReport& report) {
     TRY(const frame::FramePlan* const plan, plan_.plan(settings_.frame, view));
     if (first_) tell(*plan, report);
     if (settings_.reference) return draw_reference(index, view, *plan, report);
+    if (settings_.renderer) return draw_textbook(index, view, *plan, report);
     const image::Image *picture = nullptr, *shown = nullptr;
     image::Image measured;
     for (int repeat = 0; repeat < settings_.frames; ++repeat) {
@@ -53,8 +55,30 @@ Result<void> RenderRun::draw(int index, RunReport& report) {
             report.frames.push_back({index, hash_of(*shown), picture->width(), picture->height(),
                                      renderer_.stats(), covered_pixels(*picture)});
     }
-    tell_if_blank(view, *plan, *picture, report);
+    tell_if_blank(view, *plan, *picture, renderer_.stats(), report);
     return finish(*shown, index, report);
+}
+
+Result<void> RenderRun::draw_textbook(int index, const scene::View& view,
+                                      const frame::FramePlan& plan, RunReport& report) {
+    if (first_) warn(left_out_of_textbook(plan, scene_), settings_, report.warnings);
+    const textbook::Look look = textbook_look_of(plan);
+    const textbook::Parts parts = textbook::parts_of(*settings_.renderer, settings_.parts);
+    textbook::Picture made;
+    frame::FrameStats stats;
+    for (int repeat = 0; repeat < settings_.frames; ++repeat) {
+        const Stopwatch watch;
+        made = textbook::render(scene_, view, look, parts);
+        stats.total_ms = watch.milliseconds();
+        stats.triangles_submitted = made.submitted;
+        stats.triangles_drawn = made.drawn;
+        if (settings_.json)
+            report.frames.push_back({index, hash_of(made.image), look.width, look.height, stats,
+                                     covered_pixels(made.image)});
+    }
+    tell_if_blank(view, plan, made.image, stats, report);
+    if (!settings_.measured.empty()) made.image = with_measured(made.image, view);
+    return finish(made.image, index, report);
 }
 
 Result<void> RenderRun::draw_reference(int index, const scene::View& view,
@@ -106,8 +130,9 @@ void RenderRun::tell(const frame::FramePlan& plan, RunReport& report) const {
     warn(frame::ignored_options(plan), settings_, report.warnings);
 }
 void RenderRun::tell_if_blank(const scene::View& view, const frame::FramePlan& plan,
-                              const image::Image& picture, RunReport& report) {
-    const auto why = frame::why_blank(scene_, view, camera_.up, plan, renderer_.stats(), picture);
+                              const image::Image& picture, const frame::FrameStats& stats,
+                              RunReport& report) {
+    const auto why = frame::why_blank(scene_, view, camera_.up, plan, stats, picture);
     if (!why) return;
     drew_a_blank_ = true;
     if (std::exchange(told_blank_, true)) return; // of several pictures, once

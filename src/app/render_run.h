@@ -29,11 +29,14 @@ public:
 private:
     Result<void> draw_reference(int index, const scene::View& view, const frame::FramePlan& plan,
                                 RunReport& report);
+    Result<void> draw_textbook(int index, const scene::View& view, const frame::FramePlan& plan,
+                               RunReport& report);
     Result<void> finish(const image::Image& picture, int index, RunReport& report);
     image::Image with_measured(const image::Image& picture, const scene::View& view) const;
     void tell(const frame::FramePlan& plan, RunReport& report) const;
     void tell_if_blank(const scene::View& view, const frame::FramePlan& plan,
-                       const image::Image& picture, RunReport& report);
+                       const image::Image& picture, const frame::FrameStats& stats,
+                       RunReport& report);
     std::uint64_t hash_of(const image::Image& picture) const;
     std::size_t covered_pixels(const image::Image& picture) const;
     Result<void> write(const image::Image& picture, int index, RunReport& report);

@@ -7,6 +7,7 @@
 #include "measure/known_frontier.h"
 #include "scene/section.h"
 #include "scene/view.h"
+#include "textbook/methods.h"
 
 #include <array>
 #include <cstdint>
@@ -121,11 +122,13 @@ struct Settings {
     PictureFormat picture_format = PictureFormat::by_name;
     bool hash = false;
     bool fail_if_empty = false; // exit code 4 where a picture shows nothing of its model
-    bool reference = false;     // drawn by rays, as what rungs are measured against
-    int reference_samples = 0;  // a pixel of the reference, at most; 0: what the command takes
-    int turntable = 0;          // pictures in a full turn; 0: one picture
-    int frames = 1;             // how often each picture is drawn, for times
-    int fps = 30;               // pictures a second of an animation
+    std::optional<textbook::Renderer> renderer; // none: the production renderer
+    textbook::AskedParts parts;                 // of a textbook renderer
+    bool reference = false;                     // drawn by rays, as what rungs are measured against
+    int reference_samples = 0; // a pixel of the reference, at most; 0: what the command takes
+    int turntable = 0;         // pictures in a full turn; 0: one picture
+    int frames = 1;            // how often each picture is drawn, for times
+    int fps = 30;              // pictures a second of an animation
     std::optional<SheetGrid> sheet;
     std::optional<Shard> shard;
     bool pair = false; // two models by one camera

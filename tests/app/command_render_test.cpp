@@ -60,7 +60,7 @@ TEST_F(Program, CountsPixelsThatShowTheModelAndFailsWhereThereIsNoneIfAsked) {
 
 TEST_F(Program, EveryListIsJsonToo) {
     for (const char* what : {"displays", "connectors", "modes", "techniques", "formats", "targets",
-                             "keys", "options"}) {
+                             "keys", "options", "renderers"}) {
         const Outcome listed = run(std::string("list --json ") + what);
         ASSERT_EQ(listed.code, 0) << what << listed.err;
         const auto rows = nlohmann::json::parse(listed.out);

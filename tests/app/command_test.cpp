@@ -37,8 +37,8 @@ TEST_F(Program, HelpAndVersionGoToStandardOutput) {
         for (const char* title : {"\nOutput:\n", "\nPicture:\n", "\nGeneral:\n"}) // once at most
             EXPECT_EQ(outcome.out.find(title), outcome.out.rfind(title)) << command << title;
     }
-    for (const char* what :
-         {"techniques", "formats", "targets", "keys", "options", "displays", "connectors", "modes"})
+    for (const char* what : {"techniques", "formats", "targets", "keys", "options", "displays",
+                             "connectors", "modes", "renderers"})
         EXPECT_EQ(run(std::string("list ") + what).code, 0) << what;
 }
 

@@ -174,8 +174,8 @@ TEST(FrontierKey, EachOptionOfThePictureChangesIt) {
     int options_tried = 0;
     for (const Option& option : options()) {
         if (option.group != Group::picture || !belongs(option, Command::render)) continue;
-        if (option.name == "reference" || option.name == "reference-samples") continue;
-        if (option.name == "measure") continue; // drawn over the finished picture
+        // Others are of what draws instead, or are drawn over the finished picture.
+        if (!belongs(option, Command::frontier) || option.name == "reference-samples") continue;
         Settings s;
         const auto value = values.find(option.name);
         const std::string_view last = option.choices.substr(option.choices.rfind(' ') + 1);

@@ -10,7 +10,7 @@ import jsonschema
 
 SCANOUT, ROOT = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 SPOT, SPIDER = "models/spot/spot.obj", "models/spider/spider.obj"
-LISTS = ("techniques", "formats", "targets", "keys", "options", "displays", "connectors", "modes")
+LISTS = ("techniques", "formats", "targets", "keys", "options", "displays", "connectors", "modes", "renderers")
 # (definition, command line)
 REPORTS = [
     ("render", ["render", SPOT, "--json", "-s", "64x48", "--frames", "2"]),
