@@ -88,7 +88,9 @@ std::pair<Step, Step> Spans::begin(int y, int x0) {
     const double width = right.x - left.x;
     if (!(width > 0)) return {left, Step{0, 0, {}}};
     const Step dx = scaled_difference(left, right, 1 / width);
-    return {begins_ == BeginsAt::vertex ? left : along(left, dx, x0 + 0.5 - left.x), dx};
+    // The document's line begins at (int)x with the values of x.
+    const double begins = begins_ == BeginsAt::vertex ? std::floor(left.x - 0.5) : left.x - 0.5;
+    return {along(left, dx, x0 - begins), dx};
 }
 
 } // namespace scanout::textbook

@@ -2,6 +2,7 @@
 // be.
 #include "textbook/interpolation.h"
 #include "textbook/pixels.h"
+#include "textbook/projection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,6 +91,42 @@ TEST(TextbookInterpolation, PerspectiveIsTheDocumentsFormula) {
     EXPECT_NEAR(at(interpolate_perspective, t, 10, 0)[0], 0.1, 1e-15);
     EXPECT_NEAR(at(interpolate_affine, t, 10, 0)[0], 0.5, 1e-15);
     EXPECT_NEAR(at(interpolate_spans_perspective, t, 10, 0)[0], 0.1, 1e-15);
+}
+
+// [Compendium 8.4] names another way: take the projection back for every pixel. The place where the
+// pixel's ray meets the plane of the corners is the one that is interpolated.
+TEST(TextbookInterpolation, TakingTheProjectionBackFindsTheInterpolatedPlace) {
+    scene::View view;
+    view.half_width = 0.8;
+    view.half_height = 0.6;
+    const Projection projection(view, {}, 0.1, 100);
+    Random random(5);
+    double worst = 0;
+    int pixels = 0;
+    for (int i = 0; i < 300; ++i) {
+        Triangle t;
+        std::array<DVec3, 3> place;
+        for (std::size_t k = 0; k < 3; ++k) {
+            place[k] = DVec3(random.in(-1, 1), random.in(-1, 1), random.in(-6, -2));
+            t.corner[k] = projection.on_screen(
+                {projection.clip_of(place[k]), {place[k].x, place[k].y, place[k].z}}, 80, 60);
+        }
+        const DVec3 normal = cross3(place[1] - place[0], place[2] - place[0]);
+        const Interpolator values = interpolate_perspective(t);
+        fill_box_edge_functions(points_of(t), [&](int y, int x0, int x1) {
+            values(y, x0, x1, [&](int x, int line, const Values& v) {
+                const DVec3 ray((2 * (x + 0.5) / 80 - 1) * view.half_width,
+                                (1 - 2 * (line + 0.5) / 60) * view.half_height, -1);
+                if (std::abs(dot3(normal, ray)) < 0.01) return; // seen from its side
+                const DVec3 met = ray * (dot3(normal, place[0]) / dot3(normal, ray));
+                for (int c = 0; c < 3; ++c)
+                    worst = std::max(worst, std::abs(met[c] - v[static_cast<std::size_t>(c)]));
+                ++pixels;
+            });
+        });
+    }
+    EXPECT_GT(pixels, 10000);
+    EXPECT_LT(worst, 1e-10);
 }
 
 } // namespace

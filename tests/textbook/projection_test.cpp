@@ -1,4 +1,5 @@
 // The documents' matrices and worked examples, held against ours.
+#include "math/transcendental.h"
 #include "textbook/projection.h"
 
 #include <cmath>
@@ -78,6 +79,33 @@ TEST(Documents, LinearDepthIsBentBeforeTheDivisionAndPseudoDepthIsNot) {
                      mean = (p.clip_of(a).z + p.clip_of(b).z) / 2;
         EXPECT_EQ(std::abs(middle - mean) < 1e-12, straight) << middle << " and " << mean;
     }
+}
+
+// [Course 2.2] cot(fov/2)/aspect and cot(fov/2); [SoftwareGraphics] 1/(r tan(a/2)) and 1/tan(a/2):
+// the camera's half extents at distance 1 are their inverses.
+TEST(Documents, TheFieldOfViewScalesAsTheDocumentsMatricesDo) {
+    geom::Mesh mesh;
+    mesh.radius = 1;
+    scene::CameraOptions camera;
+    camera.fov_degrees = 50;
+    const auto view = scene::make_view(mesh, {}, {}, camera, {}, 640, 400);
+    ASSERT_TRUE(view);
+    const double cot = 1 / scanout::tan(scanout::radians(25));
+    EXPECT_NEAR(1 / view->half_height, cot, 1e-12);
+    EXPECT_NEAR(1 / view->half_width, cot / 1.6, 1e-12);
+}
+
+// [ClipSpace 4]: x'' = 2 n x/(r - l) - z (r + l)/(r - l), with l = -320, r = 320, b = -240, t =
+// 240, n = 25.
+TEST(Documents, TheFrustumOfSixNumbersIsTheHalfExtentsTimesNear) {
+    scene::View view;
+    view.half_width = 320.0 / 25;
+    view.half_height = 240.0 / 25;
+    const Projection p(view, parts_with({true, false, -1}), 25, 1000);
+    const DVec4 clip = p.clip_of(DVec3(100, -60, -200)); // z = 200 in the document's system
+    EXPECT_NEAR(clip.x, 2 * 25 * 100.0 / 640, 1e-12);
+    EXPECT_NEAR(clip.y, 2 * 25 * -60.0 / 480, 1e-12);
+    EXPECT_EQ(clip.w, 200);
 }
 
 // Handedness and depth range move no pixel: the same point of the screen in all systems.

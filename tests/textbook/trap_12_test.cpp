@@ -1,0 +1,48 @@
+// T12 [Compendium 11.3]: a right-handed file in a left-handed renderer.
+#include "io/load.h"
+#include "textbook/trap_page.h"
+
+namespace scanout::textbook::test {
+namespace {
+
+TEST(Trap12, ARightHandedFileReadAsLeftHandedIsMirroredAndInsideOut) {
+    Warnings warnings;
+    auto scene = io::load(SCANOUT_SOURCE_DIR "/models/spot/spot.obj", {}, warnings);
+    ASSERT_TRUE(scene);
+    Shot s = scanout::test::shot("spot", 96, 72);
+    s.scene = std::move(*scene);
+    s.camera.azimuth_degrees = 30;
+    s.camera.elevation_degrees = 10;
+    s.options.cull = frame::Cull::back;
+    s.options.texture = "nearest";
+    const image::Image ours = scanout::test::draw(s);
+    // z turned over and the winding with it, as the document ends up, is what we draw: in a
+    // left-handed system with either winding in front.
+    for (const Renderer r : {Renderer::compendium, Renderer::software_graphics}) {
+        AskedParts parts;
+        parts.hidden = Hidden::z_pseudo;
+        parts.fill = Fill::box_edge_functions;
+        EXPECT_EQ(different_pixels(picture(s, parts_of(r, parts)), picture(s), 1), 0);
+    }
+    EXPECT_LT(different_pixels(picture(s), ours, 8), 60);
+    // As it is: every z has the wrong sign, and all fronts are backs.
+    Shot mirrored = s;
+    for (Vec3& p : mirrored.scene.mesh.position)
+        p.z = -p.z;
+    for (Vec3& n : mirrored.scene.mesh.normal)
+        n.z = -n.z;
+    const image::Image wrong = picture(mirrored);
+    EXPECT_GT(different_pixels(wrong, ours, 8), 1000);
+    check_page(
+        {12, "handedness", "A right-handed file, a left-handed renderer",
+         "Read as it is, every z has the wrong sign: the model is its own mirror image, and its "
+         "fronts are culled as backs, so that one looks into it; z changes its sign and the "
+         "winding its sense, or the system stays the file's.",
+         "[Compendium 11.3]",
+         fmt::format("{} of {} pixels differ by more than 8 codes",
+                     different_pixels(wrong, ours, 8), 96 * 72),
+         enlarged(wrong, 3), enlarged(ours, 3)});
+}
+
+} // namespace
+} // namespace scanout::textbook::test
