@@ -34,6 +34,13 @@ Binder::Binder(int width, int height, bool moves_pointer, KeyMap keys)
     : width_(width), height_(height), moves_pointer_(moves_pointer), keys_(std::move(keys)),
       x_(std::floor(width * 0.5)), y_(std::floor(height * 0.5)) {}
 
+void Binder::resize(int width, int height) {
+    x_ = std::floor(x_ * width / width_);
+    y_ = std::floor(y_ * height / height_);
+    width_ = width;
+    height_ = height;
+}
+
 void Binder::bind(std::span<const port::Event> events, std::int64_t step,
                   std::vector<Action>& actions) {
     using port::EventKind;

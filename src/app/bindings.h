@@ -30,6 +30,7 @@ public:
     Binder(int width, int height, bool moves_pointer, KeyMap keys = KeyMap::standard());
 
     const KeyMap& keys() const { return keys_; }
+    void resize(int width, int height); // of the picture
     // The camera flies, or does not: some keys mean something else.
     void set_flying(bool flies) { flies_ = flies; }
 

@@ -7,14 +7,15 @@ namespace scanout::app {
 
 struct PictureKey {
     Look look;
-    int generation = -1; // of the model slot
-    int rung = -1;       // of the frontier, that , and . chose; -1: none
+    int generation = -1;       // of the model slot
+    int rung = -1;             // of the frontier, that , and . chose; -1: none
+    int width = 0, height = 0; // pixels
     friend bool operator==(const PictureKey&, const PictureKey&) = default;
 };
 
 // A turning model gives the same picture as one that stands at the same angle.
 inline PictureKey picture_key(const Look& look, int generation) {
-    PictureKey key{look, generation, -1};
+    PictureKey key{look, generation};
     key.look.turntable = false;
     return key;
 }

@@ -62,6 +62,8 @@ Rect clipped(const Image& image, std::int64_t x, std::int64_t y, std::int64_t wi
     return {across.first, down.first, across.last, down.last};
 }
 
+thread_local LetterCollector* letter_collector = nullptr;
+
 void draw_cell(Image& image, std::int64_t x, std::int64_t y, const Font& font, const Glyph* glyph,
                Rgba8 colour, int scale) {
     const Rect area =
@@ -78,6 +80,13 @@ void draw_cell(Image& image, std::int64_t x, std::int64_t y, const Font& font, c
 
 } // namespace
 
+LetterCollector::LetterCollector() {
+    letter_collector = this;
+}
+LetterCollector::~LetterCollector() {
+    letter_collector = nullptr;
+}
+
 int text_width(std::string_view utf8, int scale, const Font& font) {
     std::int64_t cells = 0;
     for (; !utf8.empty(); ++cells)
@@ -89,6 +98,11 @@ int text_width(std::string_view utf8, int scale, const Font& font) {
 Rect draw_text(Image& image, int x, int y, std::string_view utf8, Rgba8 colour, int scale,
                const Font& font) {
     CHECK_GE(scale, 1);
+    if (letter_collector != nullptr) {
+        letter_collector->add({x, y, font.height * scale, std::string(utf8), colour});
+        return clipped(image, x, y, std::int64_t{text_width(utf8, scale, font)},
+                       std::int64_t{font.height} * scale);
+    }
     std::int64_t at = x;
     while (!utf8.empty()) {
         const char32_t code = take_code(utf8);

@@ -3,8 +3,11 @@
 
 #include "app/font.h"
 #include "image/image.h"
+#include "port/display.h"
 
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace scanout::app {
 
@@ -27,6 +30,21 @@ int text_width(std::string_view utf8, int scale = 1, const Font& font = font_reg
 // touched. scale >= 1.
 image::Rect draw_text(image::Image& image, int x, int y, std::string_view utf8, image::Rgba8 colour,
                       int scale = 1, const Font& font = font_regular);
+
+// While it lives, draw_text() of this thread draws no letters: it notes them, for a display that
+// has letters of its own. One at a time.
+class LetterCollector {
+public:
+    LetterCollector();
+    LetterCollector(const LetterCollector&) = delete;
+    LetterCollector& operator=(const LetterCollector&) = delete;
+    ~LetterCollector();
+    void add(port::TextLine line) { lines_.push_back(std::move(line)); }
+    std::vector<port::TextLine> take() { return std::move(lines_); }
+
+private:
+    std::vector<port::TextLine> lines_;
+};
 
 // Lays `colour` over the rectangle with colour.a / 255 as its weight (black with a = 160 darkens):
 // each channel is the rounded mean of the codes, alpha is left alone. Returns the rectangle

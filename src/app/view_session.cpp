@@ -160,7 +160,19 @@ Result<void> ViewSession::follow_display() {
     if (lost_ && !was_lost) TRY_VOID(let_go_of_all());
     if (!lost_ && (was_lost || parts_.display.stale())) repaint_ = true;
     if (!lost_ && parts_.display.ready()) log_.reached();
+    follow_size();
     return {};
+}
+
+void ViewSession::follow_size() {
+    const port::DisplayInfo& info = parts_.display.info();
+    if (info.width == viewer_.width() && info.height == viewer_.height()) return;
+    viewer_.resize(info.width, info.height);
+    binder_.resize(info.width, info.height);
+    composer_ = Composer(info.width, info.height);
+    background_ = image::Image(info.width, info.height, background_.at(0, 0));
+    picture_ = nullptr; // it has the size before
+    repaint_ = true;
 }
 
 // The console goes away, and with it the releases of what is held.

@@ -104,6 +104,7 @@ private:
     std::optional<std::int64_t> next_change() const;
     std::optional<std::int64_t> next_step() const;
     Result<void> follow_display();
+    void follow_size(); // of the display
     Result<void> let_go_of_all();
     Result<void> run_instantly();
     static constexpr int kMessageSteps = 3 * kStepsPerSecond;
@@ -169,6 +170,7 @@ private:
     void set_frame_options(int level = 0);
     Result<void> render(int level = 0);
     void compose(const Overlay& overlay, int level);
+    void compose_on(const image::Image& picture, const Overlay& overlay);
     Result<void> draw(const Shown& wanted);
     Result<void> draw_if_due(Time now);
     const image::Image& displayed();

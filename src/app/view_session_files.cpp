@@ -134,12 +134,13 @@ bool ViewSession::report_progress(const std::string& doing, double share, Time s
     const Time now = std::chrono::steady_clock::now();
     if (now - std::max(start, pacer_.last()) < kPatience) return true;
     if (wants_to_leave()) return false;
+    if (!parts_.display.dispatch()) return true;
     lost_ = parts_.display.lost();
-    if (lost_ || !parts_.display.ready() || !parts_.display.dispatch()) return true;
+    if (lost_ || !parts_.display.ready()) return true;
+    follow_size();
     Overlay notice;
     notice.notice = {fmt::format("{} {}  {} %", doing, path(), static_cast<int>(share * 100))};
-    composer_.set_picture(picture_ != nullptr ? *picture_ : background_,
-                          [&](image::Image& picture) { draw_overlay(picture, notice); });
+    compose_on(picture_ != nullptr ? *picture_ : background_, notice);
     repaint_ = true;
     pacer_.interrupt(now);
     return present().has_value();

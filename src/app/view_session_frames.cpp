@@ -2,6 +2,7 @@
 // and what the display is given.
 #include "app/overlay_text.h"
 #include "app/picture.h"
+#include "app/text.h"
 #include "app/view_session.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
@@ -43,7 +44,9 @@ std::optional<PixelPlace> ViewSession::pointer() const {
 }
 
 ViewSession::Shown ViewSession::wanted() {
-    return {key(), level_, overlay(), accuracy_.revision(), pointer()};
+    const bool draws_pointer = !parts_.display.info().has_pointer;
+    return {key(), level_, overlay(), accuracy_.revision(),
+            draws_pointer ? pointer() : std::nullopt};
 }
 
 Overlay ViewSession::overlay() {
@@ -129,8 +132,14 @@ void ViewSession::compose(const Overlay& overlay, int level) {
     add_frame_text(complete,
                    {blank_, !steady_, pacer_.frames_per_second(), renderer_.stats(),
                     level > 0 ? levels_[static_cast<std::size_t>(level)].render_scale : ""});
-    composer_.set_picture(accuracy_.picture(*picture_, key(), asked()),
-                          [&](image::Image& picture) { draw_overlay(picture, complete); });
+    compose_on(accuracy_.picture(*picture_, key(), asked()), complete);
+}
+
+void ViewSession::compose_on(const image::Image& picture, const Overlay& overlay) {
+    std::optional<LetterCollector> letters;
+    if (parts_.display.info().has_letters) letters.emplace();
+    composer_.set_picture(picture, [&](image::Image& out) { draw_overlay(out, overlay); });
+    if (letters) parts_.display.show_text(letters->take());
 }
 
 Result<void> ViewSession::draw(const Shown& wanted) {

@@ -15,6 +15,8 @@ namespace scanout::app {
 
 PictureKey ViewSession::key() const {
     PictureKey key = picture_key(viewer_.state().look, slot_.generation());
+    key.width = viewer_.width();
+    key.height = viewer_.height();
     if (rungs_.frontier() != nullptr) key.rung = static_cast<int>(rungs_.at());
     return key;
 }

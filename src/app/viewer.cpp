@@ -83,6 +83,19 @@ Viewer::Viewer(const Settings& settings, int width, int height, int files)
     state_.split_x = width / 2;
 }
 
+void Viewer::resize(int width, int height) {
+    const auto moved = [](int at, int before, int after) {
+        return static_cast<int>(std::int64_t{at} * after / before);
+    };
+    state_.pointer.x = std::min(moved(state_.pointer.x, width_, width), width - 1);
+    state_.pointer.y = std::min(moved(state_.pointer.y, height_, height), height - 1);
+    state_.split_x = moved(state_.split_x, width_, width);
+    width_ = width;
+    height_ = height;
+    drag_.reset();
+    fits_.clear();
+}
+
 void Viewer::take_up_of_file(scene::UpAxis up) {
     if (state_.look.up == start_.up) state_.look.up = up;
     start_.up = up;

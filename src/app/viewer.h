@@ -49,6 +49,7 @@ public:
     const ViewerState& state() const { return state_; }
     int width() const { return width_; } // pixels of the picture
     int height() const { return height_; }
+    void resize(int width, int height); // the model fits anew
     std::int64_t step_number() const { return step_; }
 
     // `mesh` is the model on show, null while there is none: then nothing can be dragged by pixels.

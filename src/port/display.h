@@ -8,6 +8,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace scanout::port {
 
@@ -16,11 +17,25 @@ struct DisplayInfo {
     int width = 0, height = 0;
     image::PixelFormat format;
     double refresh_hz = 60;
+    // Whoever shows the frame draws a pointer on it, as a terminal's window does.
+    bool has_pointer = false;
+    // Letters of the overlays come by show_text(), and are not in the frame.
+    bool has_letters = false;
+};
+
+// A line of text on the frame: UTF-8 with its upper left corner at (x, y), pixels.
+struct TextLine {
+    int x = 0, y = 0, height = 0;
+    std::string text;
+    image::Rgba8 colour;
+    friend bool operator==(const TextLine&, const TextLine&) = default;
 };
 
 class Display {
 public:
     virtual ~Display() = default;
+    // Its size may be another one after a dispatch() of the display or of its input, as that of a
+    // window; the next frame has it.
     virtual const DisplayInfo& info() const = 0;
 
     // True when present() would not have to wait for an earlier frame's flip.
@@ -31,6 +46,9 @@ public:
     // lost() == true are always shown whole. Call only when ready().
     virtual Result<void> present(const image::Image& frame,
                                  std::span<const image::Rect> damage) = 0;
+
+    // Of a display that has letters: all lines on the frame that is presented next.
+    virtual void show_text(std::vector<TextLine> lines) { (void)lines; }
 
     // True when ready() follows the display's refresh, so that waiting for it paces the loop.
     // False: the loop holds the pace itself, by a timer of info().refresh_hz. Known after the first
