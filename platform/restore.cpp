@@ -9,6 +9,7 @@
 
 #include <linux/kd.h>
 #include <linux/vt.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -23,8 +24,7 @@ constexpr std::array kFatalSignals{SIGSEGV, SIGABRT, SIGBUS,    SIGFPE,  SIGILL,
 
 // Written by the main thread, read by handlers on any thread: a flag is set after its data.
 ConsoleState console_state;
-termios terminal_state;
-int terminal_fd = -1;
+TerminalState terminal_state;
 std::atomic<bool> console_remembered{false}, terminal_remembered{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 std::array<struct sigaction, kFatalSignals.size()> earlier_actions;
@@ -39,6 +39,53 @@ void on_fatal_signal(int signal, siginfo_t* info, void*) {
         if (kFatalSignals[i] == signal) ::sigaction(signal, &earlier_actions[i], nullptr);
     const bool fault = info->si_code > 0 && info->si_code != SI_KERNEL;
     if (!fault) ::raise(signal);
+}
+
+constexpr int kPatienceMs = 500; // with a terminal that takes or says nothing
+
+bool becomes(int fd, short event) {
+    pollfd state{fd, event, 0};
+    return ::poll(&state, 1, kPatienceMs) == 1 && (state.revents & event) != 0;
+}
+
+// The descriptor may be one that does not block. What a terminal does not take is thrown away, so
+// that it takes this.
+bool write_patiently(int fd, std::string_view text) {
+    for (bool thrown_away = false; !text.empty();) {
+        const ssize_t count = ::write(fd, text.data(), text.size());
+        if (count > 0) {
+            text.remove_prefix(static_cast<std::size_t>(count));
+        } else if (count < 0 && errno == EAGAIN) {
+            if (becomes(fd, POLLOUT)) continue;
+            if (std::exchange(thrown_away, true)) return false;
+            ::tcflush(fd, TCOFLUSH);
+        } else if (count == 0 || errno != EINTR) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Reads up to the end of ESC [ ? ... c, which answers the last question.
+void wait_for_attributes(int fd) {
+    int matched = 0; // of ESC [ ? and what follows
+    while (becomes(fd, POLLIN)) {
+        char c = 0;
+        const ssize_t count = ::read(fd, &c, 1);
+        if (count <= 0) {
+            if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+            return;
+        }
+        constexpr std::string_view kStart = "\x1b[?";
+        if (matched == 3) {
+            if (c == 'c') return;
+            if (c == ';' || (c >= '0' && c <= '9')) continue;
+            matched = 0;
+        }
+        matched = c == kStart[static_cast<std::size_t>(matched)] ? matched + 1
+                  : c == '\x1b'                                  ? 1
+                                                                 : 0;
+    }
 }
 
 void install_handlers() {
@@ -60,6 +107,14 @@ void install_handlers() {
 }
 
 } // namespace
+
+void restore_terminal(const TerminalState& state) {
+    if (!state.farewell.empty() && write_patiently(state.fd, state.farewell) && state.answers)
+        wait_for_attributes(state.fd);
+    const pid_t foreground = ::tcgetpgrp(state.fd);
+    if (foreground < 0 || foreground == ::getpgrp()) ::tcsetattr(state.fd, TCSAFLUSH, &state.modes);
+    if (state.afterwards != nullptr) state.afterwards();
+}
 
 void restore_modes(const ConsoleState& state) {
     ::ioctl(state.fd, KDSKBMODE, state.keyboard_mode);
@@ -86,10 +141,9 @@ void remember_console(const ConsoleState& state) {
     install_handlers();
 }
 
-void remember_terminal(int fd, const termios& saved) {
+void remember_terminal(const TerminalState& state) {
     terminal_remembered = false;
-    terminal_fd = fd;
-    terminal_state = saved;
+    terminal_state = state;
     terminal_remembered = true;
     install_handlers();
 }
@@ -104,7 +158,7 @@ void forget_terminal() {
 void restore_now() {
     const int saved_errno = errno;
     if (console_remembered.exchange(false)) restore_console(console_state);
-    if (terminal_remembered.exchange(false)) ::tcsetattr(terminal_fd, TCSAFLUSH, &terminal_state);
+    if (terminal_remembered.exchange(false)) restore_terminal(terminal_state);
     errno = saved_errno;
 }
 

@@ -2,6 +2,8 @@
 // signal handler may read. Everything here that runs in a handler is async-signal-safe.
 #pragma once
 
+#include <string_view>
+
 #include <termios.h>
 
 namespace scanout::console {
@@ -20,10 +22,21 @@ void restore_switching(const ConsoleState& state);
 // All of it.
 void restore_console(const ConsoleState& state);
 
+// What a terminal must be put back to. All of it is there until it is forgotten.
+struct TerminalState {
+    int fd = -1;
+    termios modes{};
+    std::string_view farewell = {}; // written before; with answers, its end asks for attributes
+    bool answers = false;           // to be waited for: no answer reaches the shell as a key
+    void (*afterwards)() = nullptr; // may run in a handler
+};
+// Restores the modes, but for those of a terminal that belongs to another job now.
+void restore_terminal(const TerminalState& state);
+
 // What restore_now() undoes. Handlers for SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSYS, SIGTRAP
 // and an atexit function are installed with the first call.
 void remember_console(const ConsoleState& state);
-void remember_terminal(int fd, const termios& saved);
+void remember_terminal(const TerminalState& state);
 void forget_console();
 void forget_terminal();
 

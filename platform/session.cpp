@@ -60,8 +60,8 @@ Result<void> have_descriptors() {
 Result<std::unique_ptr<Session>> Session::open(bool device_is_named) {
     if (!device_is_named && !some_display_exists())
         return fail(Exit::no_display, "this machine has no display (neither /dev/dri/card* nor "
-                                      "/dev/fb*): use `scanout render`, or "
-                                      "--backend headless");
+                                      "/dev/fb*): --backend terminal draws in the terminal, "
+                                      "`scanout render` to a file");
     TRY_VOID(have_descriptors());
     std::unique_ptr<Session> session(new Session);
     TRY(session->signals_, port::Signals::create());

@@ -93,7 +93,7 @@ class Terminal final : public ConsoleInput {
 public:
     Terminal(int fd, Fd owned, const termios& saved)
         : fd_(fd), owned_(std::move(owned)), saved_(saved) {
-        remember_terminal(fd_, saved_);
+        remember_terminal({.fd = fd_, .modes = saved_});
         raw();
     }
     Terminal(const Terminal&) = delete;
@@ -107,7 +107,7 @@ public:
         return {};
     }
     Result<void> resume() override {
-        remember_terminal(fd_, saved_);
+        remember_terminal({.fd = fd_, .modes = saved_});
         raw();
         return {};
     }

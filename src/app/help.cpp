@@ -67,6 +67,7 @@ std::string_view introduction(Command command) {
                "  scanout models/*/*.obj                      PgDn and PgUp go through them\n"
                "  scanout view spot.obj --view iso --up z     start from another side\n"
                "  scanout view spot.obj --budget 16ms         as well as 16 ms a frame allow\n"
+               "  scanout view spot.obj --backend terminal    by ssh, in the terminal\n"
                "  scanout view spot.obj --backend headless --size 640x480 --replay actions.txt\n"
                "\n"
                "Arrows or left drag turn the model, Shift moves it, the wheel scales it, H shows "

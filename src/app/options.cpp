@@ -329,9 +329,14 @@ constexpr std::array kOptions = std::to_array<Option>({
      Integer([](Settings& s) -> int& { return s.turntable; }),
      "draw N pictures of one full turn; -o wants {n} in the name"},
 
-    {"backend", 0, "", "auto drm fbdev headless", "auto", 0, 0, Group::display, kView,
+    {"backend", 0, "", "auto drm fbdev headless terminal", "auto", 0, 0, Group::display, kView,
      Choice([](Settings& s, std::size_t i) { s.backend = static_cast<Backend>(i); }),
-     "where to show: auto tries DRM, then the framebuffer"},
+     "where to show: auto tries DRM, then the framebuffer; terminal: in the terminal that scanout "
+     "runs in, also by ssh; headless: nowhere, for replays"},
+    {"terminal", 0, "", "auto kitty sixel blocks", "auto", 0, 0, Group::display, kView,
+     Choice([](Settings& s, std::size_t i) { s.terminal = static_cast<TerminalGraphics>(i); }),
+     "with --backend terminal: kitty's graphics, sixels, or half blocks of text; auto asks the "
+     "terminal"},
     {"device", 0, "FILE", "", "", 0, 0, Group::display, kView | kList,
      Text([](Settings& s) -> std::string& { return s.device; }),
      "the display's device, such as /dev/dri/card1 or /dev/fb0"},

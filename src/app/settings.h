@@ -53,7 +53,9 @@ enum class Metric : std::uint8_t { none, rmse, rmse_codes, psnr, max, flip, ssim
 enum class Converge : std::uint8_t { automatic, on, off };
 // Whose keys and mouse the viewer has.
 enum class Nav : std::uint8_t { scanout, blender, f3d };
-enum class Backend : std::uint8_t { automatic, drm, fbdev, headless };
+enum class Backend : std::uint8_t { automatic, drm, fbdev, headless, terminal };
+// How a terminal is drawn on.
+enum class TerminalGraphics : std::uint8_t { automatic, kitty, sixel, blocks };
 
 // An option as it stood on the command line.
 struct GivenOption {
@@ -134,6 +136,7 @@ struct Settings {
     bool pair = false; // two models by one camera
 
     Backend backend = Backend::automatic;
+    TerminalGraphics terminal = TerminalGraphics::automatic;
     std::string device, connector, mode;
     std::string record, replay;
     std::string like, state; // files of views (view_file.h)

@@ -34,6 +34,7 @@ void list_displays(const Settings& settings) {
                        fb.problem.empty()
                            ? fmt::format("{}x{} {}", fb.width, fb.height, image::name_of(fb.format))
                            : fb.problem);
+    fmt::print("terminal  the one that scanout runs in, with --backend terminal\n");
     fmt::print("headless  in memory, with --backend headless\n");
 }
 
@@ -71,6 +72,7 @@ std::string displays_json(const Settings& settings) {
                             {"width", fb.width},
                             {"height", fb.height},
                             {"pixel_format", fb.problem.empty() ? image::name_of(fb.format) : ""}});
+    rows.push_back({{"backend", "terminal"}, {"device", ""}, {"driver", ""}, {"problem", ""}});
     rows.push_back({{"backend", "headless"}, {"device", ""}, {"driver", ""}, {"problem", ""}});
     return json_text(rows);
 }

@@ -4,7 +4,10 @@
 #include "platform/drm/display.h"
 #include "platform/linux-fb/display.h"
 #include "platform/session.h"
+#include "platform/tty/session.h"
 
+#include <array>
+#include <string>
 #include <utility>
 
 namespace scanout::app {
@@ -37,7 +40,10 @@ Result<OpenDisplay> open_display(const Settings& s, console::Seat& seat) {
         if (display) return OpenDisplay{*std::move(display), "fbdev"};
         refuse("framebuffer", display.error());
     }
-    return fail(Exit::no_display, "no display: {}; `scanout render` draws without one", refused);
+    return fail(Exit::no_display,
+                "no display: {}; --backend terminal draws in the terminal, `scanout render` to a "
+                "file",
+                refused);
 }
 
 class SeatedConsole final : public OpenConsole {
@@ -57,9 +63,41 @@ private:
     OpenDisplay open_;
 };
 
+class TerminalConsole final : public OpenConsole {
+public:
+    explicit TerminalConsole(std::unique_ptr<tty::Session> session)
+        : session_(std::move(session)) {}
+
+    port::Display& display() override { return session_->display(); }
+    port::Input& input() override { return *session_; }
+    Result<void> suspend(std::vector<port::Event>& events) override {
+        return session_->suspend(events);
+    }
+    const char* backend() const override { return "terminal"; }
+
+private:
+    std::unique_ptr<tty::Session> session_;
+};
+
+Result<std::unique_ptr<OpenConsole>> open_on_terminal(const Settings& settings) {
+    for (const auto& [name, value] : {std::pair("--device", settings.device),
+                                      {"--connector", settings.connector},
+                                      {"--mode", settings.mode}})
+        if (!value.empty())
+            return fail(Exit::usage, "--backend terminal has no device: leave {} out", name);
+    constexpr std::array kProtocols = {tty::Protocol::automatic, tty::Protocol::kitty,
+                                       tty::Protocol::sixel, tty::Protocol::blocks};
+    TRY(std::unique_ptr<tty::Session> session,
+        tty::Session::open(kProtocols[static_cast<std::size_t>(settings.terminal)]));
+    if (const std::string& why = session->display().choice().why; !why.empty() && !settings.quiet)
+        say("scanout: drawn as half blocks: " + why);
+    return std::make_unique<TerminalConsole>(std::move(session));
+}
+
 } // namespace
 
 Result<std::unique_ptr<OpenConsole>> open_console(const Settings& settings) {
+    if (settings.backend == Backend::terminal) return open_on_terminal(settings);
     TRY(std::unique_ptr<console::Session> session,
         console::Session::open(!settings.device.empty()));
     TRY(OpenDisplay open, open_display(settings, session->seat()));

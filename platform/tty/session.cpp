@@ -1,0 +1,221 @@
+#include "platform/tty/session.h"
+
+#include "platform/terminal.h"
+#include "platform/tty/mouse.h"
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/epoll.h>
+#include <sys/signalfd.h>
+#include <sys/timerfd.h>
+#include <unistd.h>
+
+namespace scanout::tty {
+namespace {
+
+constexpr std::chrono::milliseconds kProbe{200};
+
+bool runs_in_tmux() {
+    const char* const socket = std::getenv("TMUX");
+    return socket != nullptr && *socket != 0;
+}
+
+// Programs that run terminals of 24-bit colours say so here.
+bool environment_has_true_colour() {
+    const char* const colours = std::getenv("COLORTERM");
+    const std::string_view text = colours != nullptr ? colours : "";
+    return text == "truecolor" || text == "24bit";
+}
+
+} // namespace
+
+Result<std::unique_ptr<Session>> Session::open(Protocol asked) {
+    TRY(Line line, Line::open());
+    std::unique_ptr<Session> session(new Session(std::move(line)));
+    TRY(session->signals_, port::Signals::create());
+    TRY_VOID(session->watch_events());
+    session->tmux_ = runs_in_tmux();
+    session->facts_.true_colour = environment_has_true_colour();
+    session->line_.enter();
+    session->probe();
+    TRY(session->display_, Display::create(session->line_, session->facts_, asked, session->tmux_));
+    session->take_fact(session->facts_, false);
+    session->arm(session->events_.empty() ? 0 : 1); // keys that were typed meanwhile
+    return session;
+}
+
+Result<void> Session::watch_events() {
+    epoll_ = Fd(::epoll_create1(EPOLL_CLOEXEC));
+    timer_ = Fd(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK));
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGWINCH);
+    sigaddset(&set, SIGCONT);
+    if (::pthread_sigmask(SIG_BLOCK, &set, nullptr) != 0)
+        return fail(Exit::internal, "signals cannot be blocked");
+    window_signals_ = Fd(::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK));
+    for (const int fd :
+         {epoll_.get(), timer_.get(), window_signals_.get(), signals_.event_fd(), line_.fd()}) {
+        if (fd < 0) return fail(Exit::internal, "events: {}", std::strerror(errno));
+        if (fd == epoll_.get()) continue;
+        epoll_event event{};
+        event.events = EPOLLIN;
+        event.data.fd = fd;
+        if (::epoll_ctl(epoll_.get(), EPOLL_CTL_ADD, fd, &event) != 0)
+            return fail(Exit::internal, "epoll_ctl: {}", std::strerror(errno));
+    }
+    return {};
+}
+
+// Through tmux the answer about kitty comes from farther away than the device attributes, and
+// later.
+void Session::probe() {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point end = Clock::now() + kProbe;
+    line_.send(questions(tmux_));
+    while (!line_.hung_up() && !(facts_.answers && (facts_.kitty || !tmux_))) {
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
+        if (left.count() <= 0) break;
+        pollfd state{line_.fd(), static_cast<short>(line_.all_sent() ? POLLIN : POLLIN | POLLOUT),
+                     0};
+        if (::poll(&state, 1, static_cast<int>(left.count()) + 1) < 0 && errno != EINTR) break;
+        line_.write_on();
+        take_bytes();
+    }
+    line_.set_answers(facts_.answers);
+}
+
+void Session::take_bytes() {
+    const std::string bytes = line_.read();
+    if (bytes.empty()) return;
+    std::vector<Token> tokens;
+    parser_.feed(bytes, tokens);
+    take(tokens);
+    arm(parser_.patience_ms());
+}
+
+void Session::arm(int ms) {
+    itimerspec spec{};
+    spec.it_value.tv_nsec = ms % 1000 * 1'000'000;
+    spec.it_value.tv_sec = ms / 1000;
+    ::timerfd_settime(timer_.get(), 0, &spec, nullptr);
+}
+
+void Session::give_up_late_token() {
+    std::uint64_t expirations = 0;
+    if (::read(timer_.get(), &expirations, sizeof expirations) != sizeof expirations) return;
+    std::vector<Token> tokens;
+    parser_.give_up(tokens);
+    take(tokens);
+}
+
+void Session::take(const std::vector<Token>& tokens) {
+    for (const Token& token : tokens) {
+        const Facts before = facts_;
+        if (const Answer answer = take_answer(token, facts_); answer != Answer::none) {
+            if (display_) display_->take(answer);
+            take_fact(before, display_ != nullptr);
+            continue;
+        }
+        if (token.kind == Token::Kind::sequence && (token.text == "200~" || token.text == "201~"))
+            pasting_ = token.text == "200~";
+        if (token.kind == Token::Kind::sequence && token.text.starts_with('<')) {
+            if (!display_) continue;
+            const Choice& choice = display_->choice();
+            const double height = choice.cell_height > 0
+                                      ? static_cast<double>(choice.height) / choice.cell_height
+                                      : 1;
+            if (pixel_mouse_)
+                add_mouse(token.text, choice.width(), choice.height, 0, events_);
+            else
+                add_mouse(token.text, choice.columns, height, 0.5, events_);
+            continue;
+        }
+        if (pasting_ || token.kind == Token::Kind::string) continue;
+        const std::string bytes = (token.kind == Token::Kind::sequence ? "\x1b[" : "") + token.text;
+        const std::vector<port::Event> keys = console::keys_of(bytes);
+        events_.insert(events_.end(), keys.begin(), keys.end());
+    }
+}
+
+// Answers that come later than the display was opened count, too.
+void Session::take_fact(const Facts& before, bool was_open) {
+    if (!display_ || (was_open && before == facts_)) return;
+    if (was_open) {
+        line_.set_answers(facts_.answers);
+        display_->reconfigure(facts_);
+    }
+    const bool pixels = facts_.pixel_mouse && display_->choice().protocol != Protocol::blocks;
+    if (pixels && !std::exchange(pixel_mouse_, pixels)) line_.send("\x1b[?1016h");
+    if (!pixels && std::exchange(pixel_mouse_, pixels)) line_.send("\x1b[?1016l\x1b[?1006h");
+}
+
+void Session::enter() {
+    line_.enter();
+    if (pixel_mouse_) line_.send("\x1b[?1016h");
+    display_->reconfigure(facts_);
+    display_->repaint();
+}
+
+void Session::wait_for_foreground() {
+    // As Ctrl-Z does by itself: not where nobody could continue us. Continued by `bg`, what draws
+    // on a terminal stops again until it gets it.
+    sigset_t stop;
+    sigemptyset(&stop);
+    sigaddset(&stop, SIGTSTP);
+    constexpr int kMostTimes = 1000;
+    for (int times = 0; times < kMostTimes && (times == 0 || !line_.in_foreground()); ++times) {
+        ::pthread_sigmask(SIG_UNBLOCK, &stop, nullptr);
+        ::kill(::getpid(), SIGTSTP);
+        ::pthread_sigmask(SIG_BLOCK, &stop, nullptr);
+    }
+    signalfd_siginfo info{};
+    while (::read(window_signals_.get(), &info, sizeof info) == sizeof info) {
+    }
+}
+
+void Session::take_signals(std::vector<port::Event>& events) {
+    signalfd_siginfo info{};
+    bool resized = false, continued = false;
+    while (::read(window_signals_.get(), &info, sizeof info) == sizeof info)
+        (info.ssi_signo == SIGWINCH ? resized : continued) = true;
+    if (continued) { // stopped by SIGSTOP: whoever had the terminal may have changed it
+        if (line_.in_foreground())
+            enter();
+        else
+            (void)suspend(events);
+    }
+    if (!resized) return;
+    display_->reconfigure(facts_);
+    if (facts_.cell_width > 0) line_.send("\x1b[16t"); // letters of another size, too
+}
+
+Result<void> Session::dispatch(std::vector<port::Event>& events) {
+    TRY_VOID(signals_.dispatch(events));
+    take_signals(events);
+    take_bytes();
+    give_up_late_token();
+    events.insert(events.end(), events_.begin(), events_.end());
+    events_.clear();
+    if (line_.hung_up()) {
+        port::Event quit;
+        quit.kind = port::EventKind::quit;
+        events.push_back(quit);
+    }
+    return {};
+}
+
+Result<void> Session::suspend(std::vector<port::Event>&) {
+    line_.leave();
+    wait_for_foreground();
+    enter();
+    return {};
+}
+
+} // namespace scanout::tty
