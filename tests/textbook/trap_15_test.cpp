@@ -14,23 +14,25 @@ TEST(Trap15, UOfOneAddressesATexelPastTheEnd) {
     // Scaled by w - 1 it stays inside, and the last texel has a single point: u = 1.
     EXPECT_EQ(static_cast<int>(0.999 * (w - 1)), w - 2);
     scene::TextureMap clamped;
-    clamped.clamp = true;
+    clamped.wrap_u = clamped.wrap_v = scene::Wrap::clamp;
     for (int y = 0; y < h; ++y) // ours: texel i lies from i/w to (i + 1)/w, v up
         for (int x = 0; x < w; ++x) {
             const DVec3 texel = nearest_texel(texture, clamped, (x + 0.5) / w, (y + 0.5) / h);
             EXPECT_EQ(texel.x > 0.5, texture.at(x, h - 1 - y).r > 127);
         }
     for (const double one : {1.0, 1.0 - 0x1p-53, 0.0, -1.0, 17.0})
-        for (const bool clamp : {false, true}) {
+        for (const scene::Wrap wrap :
+             {scene::Wrap::repeat, scene::Wrap::mirror, scene::Wrap::clamp}) {
             scene::TextureMap map;
-            map.clamp = clamp;
+            map.wrap_u = map.wrap_v = wrap;
             nearest_texel(texture, map, one, one); // in the picture: the sanitizers look
         }
 
     Shot s = scanout::test::shot("square", 64, 64);
     s.scene.materials = {scanout::test::textured(0)};
     s.scene.textures = {checkers};
-    s.scene.materials[0].map_diffuse.edit().clamp = true;
+    scene::TextureMap& map = s.scene.materials[0].map_diffuse.edit();
+    map.wrap_u = map.wrap_v = scene::Wrap::clamp;
     scanout::test::add_quad(s.scene.mesh, {{{8, 8, 0}, {56, 8, 0}, {56, 56, 0}, {8, 56, 0}}},
                             {0, 0, 1}, 0);
     s.options.texture = "nearest";
