@@ -264,8 +264,8 @@ constexpr std::array kOptions = std::to_array<Option>({
      }),
      "the model's axis that points up; default: z in STL, else y"},
     {"model-format", 0, "NAME", "", "", 0, 0, Group::model, kRead, Parsed(read_model_format),
-     "the model's format (obj stl ply off gltf), instead of the one that its content tells; a model "
-     "named - is read from standard input"},
+     "the model's format (obj stl ply off gltf), instead of the one that its content tells; a "
+     "model named - is read from standard input"},
 
     {"max-memory", 0, "MB", "", "", 1, 100'000'000, Group::model, kRead,
      Integer([](Settings& s) -> int& { return s.max_memory_mb; }),

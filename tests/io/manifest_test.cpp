@@ -68,7 +68,8 @@ const std::map<std::string, std::string> kRefused = {
     {"models/obj_cases_tinyobj/issue-356-leading-spaces-newmtl.obj", "no vertices"},
     {"models/ply_magnum_importer/empty.ply", "without vertices"},
     {"models/ply_gaussian/test.ply", "no x, y and z"}, // packed splats
-    {"models/other_wrong_extension/Cube_gltf_wrong_extension.stl", "buffers[0]: 'Cube.bin' is not there"},
+    {"models/other_wrong_extension/Cube_gltf_wrong_extension.stl",
+     "buffers[0]: 'Cube.bin' is not there"},
 };
 // Its "usemtl" names nothing.
 const std::string kUnnamedMaterial = "models/cad_trimesh/wallhole.obj";
