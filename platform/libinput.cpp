@@ -192,6 +192,16 @@ std::string Libinput::description() const {
     return text + fmt::format("; layout {}", keyboard_.layout());
 }
 
+// libinput's clock is CLOCK_MONOTONIC.
+static std::int64_t time_of(libinput_event* event) {
+    const libinput_event_type type = libinput_event_get_type(event);
+    const std::uint64_t microseconds =
+        type == LIBINPUT_EVENT_KEYBOARD_KEY
+            ? libinput_event_keyboard_get_time_usec(libinput_event_get_keyboard_event(event))
+            : libinput_event_pointer_get_time_usec(libinput_event_get_pointer_event(event));
+    return static_cast<std::int64_t>(microseconds) * 1000;
+}
+
 Result<void> Libinput::dispatch(std::vector<port::Event>& events) {
     if (const int error = libinput_dispatch(context_.get()); error != 0)
         return fail(Exit::no_display, "libinput: {}", std::strerror(-error));
@@ -201,7 +211,10 @@ Result<void> Libinput::dispatch(std::vector<port::Event>& events) {
 
 void Libinput::collect(std::vector<port::Event>& events) {
     while (libinput_event* event = libinput_get_event(context_.get())) {
+        const std::size_t before = events.size();
         translate(event, events);
+        for (std::size_t i = before; i < events.size(); ++i)
+            events[i].time_ns = time_of(event);
         libinput_event_destroy(event);
     }
 }

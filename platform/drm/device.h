@@ -37,6 +37,7 @@ struct DumbBuffer {
 struct FlipEvent {
     std::uint64_t tag = 0;      // the tag that flip() got
     std::uint32_t sequence = 0; // counts refreshes; drivers without a vertical blank say 0
+    std::int64_t time_ns = 0;   // of the refresh, CLOCK_MONOTONIC
 };
 
 class Device {

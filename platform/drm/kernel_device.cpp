@@ -172,7 +172,9 @@ Errno KernelDevice::read_events(std::vector<FlipEvent>& events) {
                 header.length >= sizeof(drm_event_vblank)) {
                 drm_event_vblank flip{};
                 std::memcpy(&flip, bytes.data() + at, sizeof flip);
-                events.push_back({flip.user_data, flip.sequence});
+                events.push_back({flip.user_data, flip.sequence,
+                                  std::int64_t{flip.tv_sec} * 1'000'000'000 +
+                                      std::int64_t{flip.tv_usec} * 1000});
             }
             at += header.length;
         }

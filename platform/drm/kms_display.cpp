@@ -161,6 +161,7 @@ Result<void> KmsDisplay::show_in_front(const image::Image& frame) {
 // Shows the back buffer, which has been drawn.
 Result<void> KmsDisplay::flip() {
     Buffer& back = buffers_[1 - front_];
+    shown_at_ns_ = 0;
     const Errno error = device_->flip(choice_.crtc, back.framebuffer(), ++tag_);
     busy_ = error == EBUSY;
     if (error == 0 || busy_) {
@@ -203,6 +204,7 @@ Result<void> KmsDisplay::dispatch() {
         // Drivers without a vertical blank report every flip at once, always as number 0.
         paced_ = event.sequence != 0 && event.sequence != sequence_;
         sequence_ = event.sequence;
+        shown_at_ns_ = event.time_ns;
         just_set_mode_ = false;
         flipped();
     }

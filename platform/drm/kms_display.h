@@ -42,6 +42,7 @@ public:
     int event_fd() const override { return epoll_.get(); }
     Result<void> dispatch() override;
     bool lost() const override;
+    std::int64_t shown_at_ns() const override { return shown_at_ns_; }
     bool stale() const override { return mode_due_ || activations_ != seat_.activations(); }
 
 private:
@@ -79,6 +80,7 @@ private:
     bool paced_ = false;
     std::uint64_t tag_ = 0; // of the last flip: recognises late events of earlier ones
     std::uint32_t sequence_ = 0;
+    std::int64_t shown_at_ns_ = 0; // 0: by what says no time
     std::uint64_t activations_ = 0; // of the seat, when it was last drawn on
 };
 

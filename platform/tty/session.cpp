@@ -201,7 +201,12 @@ Result<void> Session::dispatch(std::vector<port::Event>& events) {
     take_signals(events);
     take_bytes();
     give_up_late_token();
-    events.insert(events.end(), events_.begin(), events_.end());
+    const std::int64_t now =
+        std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+    for (port::Event& event : events_) {
+        event.time_ns = now; // a terminal does not say when it was
+        events.push_back(event);
+    }
     events_.clear();
     if (line_.hung_up()) {
         port::Event quit;

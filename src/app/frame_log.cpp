@@ -4,6 +4,7 @@
 #include "app/picture.h"
 #include "image/hash.h"
 
+#include <chrono>
 #include <utility>
 
 namespace scanout::app {
@@ -11,6 +12,7 @@ namespace scanout::app {
 void FrameLog::presented(const image::Image& frame, const frame::FrameStats& stats) {
     const int index = count_++;
     settled_ = false;
+    on_its_way_ns_ = std::exchange(input_ns_, 0);
     if (!settings_.verbose && !settings_.json) return;
     const std::uint64_t hash = image::frame_hash(image::as_displayed(format_, frame));
     if (settings_.json) records_.push_back({index, hash, frame.width(), frame.height(), stats});
@@ -19,19 +21,27 @@ void FrameLog::presented(const image::Image& frame, const frame::FrameStats& sta
                                image::name_of(format_));
 }
 
-void FrameLog::reached() {
+void FrameLog::reached(std::int64_t shown_at_ns) {
+    if (const std::int64_t input = std::exchange(on_its_way_ns_, 0); input != 0) {
+        const std::int64_t now =
+            std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+        latencies_.push_back(static_cast<double>((shown_at_ns != 0 ? shown_at_ns : now) - input) *
+                             1e-6);
+    }
     if (pending_.empty()) return;
     say(pending_);
     if (pending_.starts_with("frame 0 ")) say("ready");
     pending_.clear();
 }
 
-void FrameLog::took(const std::string& action) {
+void FrameLog::took(const std::string& action, std::int64_t input_ns) {
     settled_ = false;
+    if (input_ns_ == 0) input_ns_ = input_ns;
     if (settings_.verbose) say("action " + action);
 }
 
 void FrameLog::settled() {
+    input_ns_ = 0; // it changed nothing
     if (!std::exchange(settled_, true) && settings_.verbose) say("settled");
 }
 

@@ -21,15 +21,18 @@ public:
 
     // `frame` was handed to the display.
     void presented(const image::Image& frame, const frame::FrameStats& stats);
-    // The frame handed over last is on the screen: logs it, once.
-    void reached();
-    // An action came from input.
-    void took(const std::string& action);
+    // The frame handed over last is on the screen, since `shown_at_ns` (0: now): logs it, once.
+    void reached(std::int64_t shown_at_ns);
+    // An action came from input, which happened at `input_ns` (port::Event; 0: not known).
+    void took(const std::string& action, std::int64_t input_ns);
     // The screen shows everything asked for: logs it, once after each action and frame.
     void settled();
     Result<void> dump(const image::Image& frame, const std::string& path) const;
 
     std::vector<FrameRecord> take_records() { return std::move(records_); }
+    // From an input to the first frame on the screen that follows it, ms: one a frame, of its first
+    // input.
+    std::vector<double> take_latencies() { return std::move(latencies_); }
 
 private:
     const Settings& settings_;
@@ -38,6 +41,8 @@ private:
     std::string pending_;
     bool settled_ = false;
     std::vector<FrameRecord> records_;
+    std::int64_t input_ns_ = 0, on_its_way_ns_ = 0; // the first since a frame; that frame's
+    std::vector<double> latencies_;
 };
 
 } // namespace scanout::app

@@ -170,6 +170,10 @@ static Json run_json(const RunReport& report) {
         json["measured"] = {{"points", points}, {"distances", found.distances}};
         if (found.angle) json["measured"]["angle"] = *found.angle;
     }
+    if (const std::vector<double>& ms = report.input_to_screen_ms; !ms.empty())
+        json["input_to_screen_ms"] = {{"count", ms.size()},
+                                      {"median", rounded(percentile(ms, 0.5))},
+                                      {"p99", rounded(percentile(ms, 0.99))}};
     if (report.chosen) json["chosen"] = chosen_json(*report.chosen);
     return json;
 }

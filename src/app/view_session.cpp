@@ -159,7 +159,7 @@ Result<void> ViewSession::follow_display() {
     const bool was_lost = std::exchange(lost_, parts_.display.lost());
     if (lost_ && !was_lost) TRY_VOID(let_go_of_all());
     if (!lost_ && (was_lost || parts_.display.stale())) repaint_ = true;
-    if (!lost_ && parts_.display.ready()) log_.reached();
+    if (!lost_ && parts_.display.ready()) log_.reached(parts_.display.shown_at_ns());
     follow_size();
     return {};
 }
@@ -204,6 +204,9 @@ Result<void> ViewSession::take_input() {
     }
     std::vector<Action> actions;
     binder_.set_flying(viewer_.state().look.flies);
+    input_ns_ = 0;
+    for (const port::Event& event : events_)
+        if (input_ns_ == 0 || event.time_ns < input_ns_) input_ns_ = event.time_ns;
     binder_.bind(events_, viewer_.step_number(), actions);
     const bool script_plays = script_.next_step().has_value();
     for (const Action& action : actions) {
@@ -217,7 +220,8 @@ Result<void> ViewSession::take_input() {
 Result<void> ViewSession::take(const Action& action) {
     if (quit_) return {};
     const TimedAction timed{viewer_.step_number(), action};
-    if (!script_.has_script()) log_.took(fmt::format("{} {}", timed.step, to_text(action)));
+    if (!script_.has_script())
+        log_.took(fmt::format("{} {}", timed.step, to_text(action)), std::exchange(input_ns_, 0));
     if (parts_.recorder && action.id != ActionId::suspend) TRY_VOID(parts_.recorder->write(timed));
     if (action.id != ActionId::pointer) message_.hide();
     viewer_.set_pages(pages_for(action.id));
@@ -469,6 +473,7 @@ RunReport ViewSession::report(std::uint64_t start_bytes) {
         report.load_times = model->load_times;
     }
     report.frames = log_.take_records();
+    report.input_to_screen_ms = log_.take_latencies();
     report.chosen = chosen_;
     report.start_bytes = start_bytes;
     report.threads = parts_.jobs.threads();

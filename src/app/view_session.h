@@ -207,6 +207,7 @@ private:
     FrameLog log_;
 
     std::vector<port::Event> events_;
+    std::int64_t input_ns_ = 0; // when the first of the events happened
     std::string input_described_;
     std::vector<std::string> noted_commands_;
     std::optional<std::string> frame_file_; // where a script wants the next frame

@@ -177,7 +177,7 @@ Result<void> ViewSession::present() {
     const image::Image& image = displayed();
     TRY_VOID(parts_.display.present(image, damage));
     log_.presented(image, renderer_.stats());
-    if (parts_.display.ready()) log_.reached();
+    if (parts_.display.ready()) log_.reached(parts_.display.shown_at_ns());
     return {};
 }
 

@@ -14,6 +14,7 @@ enum class Button : std::uint8_t { left, middle, right, side, extra };
 
 struct Event {
     EventKind kind{};
+    std::int64_t time_ns = 0; // when it happened, CLOCK_MONOTONIC; 0: not known
     // key: the keysym (xkbcommon's number, layout and Shift applied), its unshifted keysym, the
     // evdev code, and the modifiers that were held.
     std::uint32_t keysym = 0, base_keysym = 0, keycode = 0;

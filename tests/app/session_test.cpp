@@ -46,6 +46,32 @@ TEST_F(Session, TenSecondsWithoutInputDrawNoFrameAndTakeLessThanAThousandthOfThe
 }
 
 // A pipe gives its bytes once.
+TEST_F(Session, TheTimeFromAnInputToItsFrameIsThatOfTheEventsOwnClock) {
+    settings.json = "";
+    settings.no_times = true;
+    const auto key = [](std::uint32_t keysym, std::chrono::seconds ago) {
+        port::Event event = press(keysym);
+        event.repeats = false;
+        event.time_ns =
+            std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch() - ago)
+                .count();
+        return event;
+    };
+    port::HeadlessDisplay display = make_display();
+    TimedInput input({{10ms, {key(XKB_KEY_Left, 100s), key(XKB_KEY_Left, 1s)}}, // one frame of both
+                      {10ms, {key(XKB_KEY_Page_Down, 500s)}},                   // nothing changes
+                      {10ms, {key(XKB_KEY_Right, 0s)}},
+                      {10ms, {quit()}}});
+    auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
+    ASSERT_TRUE((*session)->run());
+    std::vector<double> ms = (*session)->report(0).input_to_screen_ms;
+    ASSERT_EQ(ms.size(), 2U);
+    EXPECT_GE(ms[0], 100'000) << "since the first of them";
+    EXPECT_LT(ms[0], 400'000);
+    EXPECT_GT(ms[1], 0);
+    EXPECT_LT(ms[1], 400'000) << "and not since the one that changed nothing";
+}
+
 TEST_F(Session, AModelFromStandardInputIsReadOnce) {
     const image::Image cube = rendered({});
     const std::string before = folder.file("before.png"), after = folder.file("after.png");

@@ -80,6 +80,7 @@ struct FakeCard {
     std::uint32_t sequence = 0, pending_framebuffer = 0;
     std::uint64_t pending_tag = 0;
     std::vector<FlipEvent> events;
+    std::int64_t refresh_time_ns = 0;
     std::vector<std::string> calls;
     std::map<std::string, int> counts;
     int devices = 0;
@@ -114,7 +115,7 @@ struct FakeCard {
         if (pending_framebuffer == 0) return;
         show(std::exchange(pending_framebuffer, 0));
         sequence += sequence_step;
-        events.push_back({pending_tag, sequence});
+        events.push_back({pending_tag, sequence, refresh_time_ns});
         const std::uint64_t one = 1;
         EXPECT_EQ(::write(readable.get(), &one, sizeof one), 8);
     }

@@ -132,6 +132,19 @@ TEST(KmsDisplay, WaitsForTheFlipBeforeItDrawsAgain) {
     EXPECT_EQ(rig.card.front_writes, 0);
 }
 
+TEST(KmsDisplay, TellsWhenAFrameReachedTheScreenByTheKernelsClock) {
+    Rig rig;
+    ASSERT_TRUE(rig.open({.flip = milliseconds(20)}));
+    rig.card.hold_events = true;
+    rig.card.refresh_time_ns = 123'456'789;
+    ASSERT_TRUE(rig.present_whole(1));
+    rig.card.refresh();
+    ASSERT_TRUE(rig.wait());
+    EXPECT_EQ(rig.display->shown_at_ns(), 123'456'789);
+    ASSERT_TRUE(rig.present_whole(2));
+    EXPECT_EQ(rig.display->shown_at_ns(), 0) << "not that of the frame before";
+}
+
 TEST(KmsDisplayDeathTest, PresentingBeforeTheFlipIsOurOwnMistake) {
     Rig rig;
     ASSERT_TRUE(rig.open());
@@ -145,7 +158,7 @@ TEST(KmsDisplay, AFlipWithoutAnEventCountsAsDoneAndTheLateEventIsIgnored) {
     ASSERT_TRUE(rig.open({.flip = milliseconds(20)}));
     rig.card.hold_events = true;
     ASSERT_TRUE(rig.present_whole(1));
-    const FlipEvent late{rig.card.pending_tag, 7};
+    const FlipEvent late{rig.card.pending_tag, 7, 0};
     ASSERT_TRUE(rig.wait());
     EXPECT_TRUE(rig.display->ready());
     EXPECT_EQ(rig.shown(), noise(8, 4, 1)) << "setting the mode made it certain";
