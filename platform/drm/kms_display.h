@@ -80,7 +80,7 @@ private:
     bool paced_ = false;
     std::uint64_t tag_ = 0; // of the last flip: recognises late events of earlier ones
     std::uint32_t sequence_ = 0;
-    std::int64_t shown_at_ns_ = 0; // 0: by what says no time
+    std::int64_t shown_at_ns_ = 0;  // 0: by what says no time
     std::uint64_t activations_ = 0; // of the seat, when it was last drawn on
 };
 

@@ -40,10 +40,10 @@ struct RunReport {
     std::vector<ReferenceRecord> references; // of the same pictures, where they are references
     double load_ms = 0;
     io::LoadTimes load_times;
-    double encode_ms = 0;         // of the first picture
+    double encode_ms = 0;                   // of the first picture
     std::vector<double> input_to_screen_ms; // of view: one a frame that follows an input
-    std::optional<Chosen> chosen; // by --budget or --max-error
-    std::vector<DVec3> measured;  // points of --measure
+    std::optional<Chosen> chosen;           // by --budget or --max-error
+    std::vector<DVec3> measured;            // points of --measure
     std::vector<std::string> warnings;
     std::uint64_t start_bytes = 0;
     int threads = 1;

@@ -55,8 +55,8 @@ public:
     // frames.
     virtual bool paced() const = 0;
 
-    // When the frame presented last reached the screen, CLOCK_MONOTONIC ns, where the display tells;
-    // 0: it does not. Of use once ready().
+    // When the frame presented last reached the screen, CLOCK_MONOTONIC ns, where the display
+    // tells; 0: it does not. Of use once ready().
     virtual std::int64_t shown_at_ns() const { return 0; }
 
     // A descriptor to wait on for reading, -1 when there is none; dispatch() is called when it is
