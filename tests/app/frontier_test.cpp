@@ -144,7 +144,8 @@ TEST(FrontierSentences, SayWhatWasNotMeasured) {
     EXPECT_EQ(said[1], "Dearest effect: not measured.");
     EXPECT_EQ(said[2], "Free: not measured.");
     EXPECT_EQ(stopped_sentence(report.found),
-              "Not all was measured: the time was up (--seconds gives more).");
+              "Not all was measured: the time was up (--seconds gives more); 1 of 1 rungs have no "
+              "time.");
 }
 
 // A rung that has no time is not said to be none.
