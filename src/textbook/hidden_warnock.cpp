@@ -53,7 +53,7 @@ bool in_front(const Triangle& t, const Faces& faces, const Window& w) {
 
 class Warnock {
 public:
-    Warnock(const HiddenTask& task, const Shade& shade) : task_(task), shade_(shade) {}
+    explicit Warnock(const Shade& shade) : shade_(shade) {}
     void draw(const Window& w, const Faces& above) {
         Faces faces;
         std::copy_if(above.begin(), above.end(), std::back_inserter(faces),
@@ -85,7 +85,6 @@ private:
         if (nearest != nullptr) shade_(*nearest, y, x, x + 1);
     }
 
-    const HiddenTask& task_;
     const Shade& shade_;
 };
 
@@ -95,7 +94,7 @@ void hidden_warnock(const HiddenTask& task, const Shade& shade) {
     Faces all;
     for (const Triangle& t : task.triangles)
         if (twice_area(points_of(t)[0], points_of(t)[1], points_of(t)[2]) != 0) all.push_back(&t);
-    Warnock(task, shade).draw({0, 0, task.width, task.height}, all);
+    Warnock(shade).draw({0, 0, task.width, task.height}, all);
 }
 
 } // namespace scanout::textbook
