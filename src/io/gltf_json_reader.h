@@ -41,8 +41,10 @@ public:
     Json parse(std::string_view text) {
         if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
         simdjson::dom::element root;
-        // simdjson reads a few bytes beyond the end: it copies the text to where it may.
-        const auto error = parser_.parse(text.data(), text.size(), true).get(root);
+        // simdjson reads a few bytes beyond the end: it copies the text to where it may. It takes
+        // no null pointer, which an empty file has.
+        const char* const data = text.empty() ? "" : text.data();
+        const auto error = parser_.parse(data, text.size(), true).get(root);
         if (error != simdjson::SUCCESS) {
             fault(fmt::format("its JSON cannot be read: {}", reason(error)));
             return {};

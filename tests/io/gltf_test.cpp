@@ -123,6 +123,9 @@ TEST(Gltf, JsonThatCannotBeMeantIsRefusedWithItsPlace) {
         return error_of(R"({"asset":{"version":"2.0"},)" + more + "}");
     };
     EXPECT_THAT(error_of("{"), StartsWith("a.gltf: its JSON cannot be read: "));
+    Warnings warnings; // an empty file has no address
+    EXPECT_EQ(read_gltf({}, "a.gltf", warnings, nullptr).error().what,
+              "a.gltf: its JSON cannot be read: it is empty");
     EXPECT_EQ(error_of("[]"), "a.gltf: its JSON is no object");
     EXPECT_EQ(error_of("{}"), "a.gltf: asset.version is missing: it is no glTF 2.0 file");
     EXPECT_EQ(error_of(R"({"asset":{"version":"1.0"}})"),
