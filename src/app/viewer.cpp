@@ -6,7 +6,6 @@
 #include "scene/fit.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 namespace scanout::app {
@@ -14,20 +13,14 @@ namespace {
 
 constexpr int kRotateStep = 5 * scene::kAngleUnitsPerDegree;
 constexpr std::int64_t kMoveStep = scene::kPanUnitsPerRadius / 16;
-constexpr int kClickPixels = 2;    // a hand that clicks does not stand still
-constexpr int kSlideStep = 8;      // levels: fifty steps go through the model
-constexpr int kZoomStep = 8;       // levels: eight steps double the size
-constexpr int kOctavesOfADrag = 4; // of scale, from the picture's bottom to its top
+constexpr int kClickPixels = 2; // a hand that clicks does not stand still
+constexpr int kSlideStep = 8;   // levels: fifty steps go through the model
+constexpr int kZoomStep = 8;    // levels: eight steps double the size
 constexpr std::size_t kHistory = 256;
 
 // The page after this one; after the last one, none.
 int next_page(int page, int pages) {
     return page < pages ? page + 1 : 0;
-}
-
-// The split line moves by this much, and is taken by a pointer no farther away than that.
-int split_step(int width) {
-    return std::max(1, width / 64);
 }
 
 scene::UpAxis next_axis(scene::UpAxis up) {
@@ -184,10 +177,10 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
         state_.split = !state_.split;
         return Effect::none;
     case ActionId::split_left:
-        put_split(state_.split_x - split_step(width_));
+        put_split(state_.split_x - split_step());
         return Effect::none;
     case ActionId::split_right:
-        put_split(state_.split_x + split_step(width_));
+        put_split(state_.split_x + split_step());
         return Effect::none;
     case ActionId::toggle_help:
         state_.help = next_page(state_.help, pages_.help);
@@ -401,184 +394,6 @@ void Viewer::undo() {
 void Viewer::remember(const Look& before) {
     history_.push_back({before, turned_});
     if (history_.size() > kHistory) history_.pop_front();
-}
-
-// In model mode the front of the model goes right and up; in camera mode the camera does; a light
-// that is selected goes instead of either.
-void Viewer::rotate(int right, int up, const geom::Mesh* mesh) {
-    Look& look = state_.look;
-    if (moves_light()) return turn_light(light_move(), right, up, mesh);
-    if (state_.camera_mode) {
-        look.orbit.azimuth = scene::wrap_angle(look.orbit.azimuth + right);
-        look.orbit.elevation = clamped_elevation(std::int64_t{look.orbit.elevation} + up);
-    } else {
-        look.pose.yaw = scene::wrap_angle(look.pose.yaw + right);
-        look.pose.pitch = scene::wrap_angle(look.pose.pitch - up);
-    }
-}
-
-std::int64_t Viewer::moved(std::int64_t pan, double by_units) {
-    constexpr double kLimit = 0x1p52;
-    const double units = std::clamp(static_cast<double>(pan) + by_units, -kLimit, kLimit);
-    return static_cast<std::int64_t>(units + (units < 0 ? -0.5 : 0.5));
-}
-
-void Viewer::move(std::int64_t right, std::int64_t up) {
-    Look& look = state_.look;
-    std::int64_t& x = state_.camera_mode ? look.orbit.pan_x : look.pose.pan_x;
-    std::int64_t& y = state_.camera_mode ? look.orbit.pan_y : look.pose.pan_y;
-    x = moved(x, static_cast<double>(right));
-    y = moved(y, static_cast<double>(up));
-}
-
-// The model comes towards the eye, or the camera towards what it looks at.
-void Viewer::move_in_depth(std::int64_t near) {
-    Look& look = state_.look;
-    if (state_.camera_mode)
-        look.orbit.pan_z = moved(look.orbit.pan_z, -static_cast<double>(near));
-    else
-        look.pose.pan_z = moved(look.pose.pan_z, static_cast<double>(near));
-}
-
-scene::ModelTransform Viewer::model() const {
-    scene::ModelTransform model = model_;
-    for (int axis = 0; axis < 3; ++axis)
-        if (const int levels = state_.look.stretch[static_cast<std::size_t>(axis)]; levels != 0)
-            model.scale[axis] *= scene::zoom_scale(levels);
-    return model;
-}
-
-// Along the axis that is chosen, or along all.
-void Viewer::scale(int levels) {
-    if (state_.scale_axis < 0) return zoom(levels);
-    int& stretch = state_.look.stretch[static_cast<std::size_t>(state_.scale_axis)];
-    stretch = scene::clamp_zoom(std::int64_t{stretch} + levels);
-}
-
-void Viewer::zoom(int levels) {
-    int& level = state_.camera_mode ? state_.look.orbit.zoom : state_.look.pose.zoom;
-    level = scene::clamp_zoom(std::int64_t{level} + levels);
-}
-
-// The named views forget how the model and the camera are turned, moved and zoomed: it fits.
-void Viewer::look_from(int view) {
-    Look& look = state_.look;
-    look.view = view;
-    look.pose = {};
-    look.orbit = {};
-    look.flight = {};
-    look.flies = false;
-}
-
-// The orbit adds to the camera's own elevation; together they stop at the poles.
-int Viewer::clamped_elevation(std::int64_t units) const {
-    const scene::CameraOptions now = camera();
-    if (now.eye) return scene::clamp_elevation(units);
-    constexpr double kPole = 90;
-    const auto to_units = [](double degrees) {
-        return static_cast<std::int64_t>(degrees * scene::kAngleUnitsPerDegree);
-    };
-    const double own = std::clamp(now.elevation_degrees, -kPole, kPole);
-    return static_cast<int>(std::clamp(units, to_units(-kPole - own), to_units(kPole - own)));
-}
-
-// 180 degrees for the picture's height, rounded: the same total gives the same angle, whatever the
-// steps in which the mouse went.
-std::int64_t Viewer::angle_of_pixels(int pixels) const {
-    constexpr std::int64_t kHalfTurn = scene::kFullTurn / 2;
-    const std::int64_t doubled = 2 * kHalfTurn * pixels;
-    return (doubled + (doubled < 0 ? -height_ : height_)) / (2 * std::int64_t{height_});
-}
-
-void Viewer::begin_drag(const geom::Mesh* mesh) {
-    const Result<scene::View> now = mesh != nullptr ? view(*mesh) : fail(Exit::usage, "no model");
-    const bool line =
-        state_.split && std::abs(state_.pointer.x - state_.split_x) <= split_step(width_);
-    drag_ = Drag{state_.look,
-                 false,
-                 line ? std::optional(state_.split_x) : std::nullopt,
-                 now ? scene::world_units_per_pixel(*now, height_) : 0,
-                 false,
-                 {step_, 0, 0},
-                 {step_, 0, 0},
-                 0};
-}
-
-void Viewer::drag(const Action& action, const geom::Mesh* mesh) {
-    if (!drag_) begin_drag(mesh);
-    if (drag_->split_x) return put_split(std::int64_t{*drag_->split_x} + action.numbers[0]);
-    const auto [dx, dy, unused] = action.numbers;
-    drag_->farthest = std::max({drag_->farthest, std::abs(dx), std::abs(dy)});
-    const Look& start = drag_->start;
-    Look& look = state_.look;
-    if (look.flies && !moves_light()) {
-        if (mesh != nullptr) drag_flight(action, *mesh);
-        return remember_drag();
-    }
-    if (action.id == ActionId::drag_zoom) {
-        const std::int64_t levels =
-            -std::int64_t{dy} * kOctavesOfADrag * scene::kZoomLevelsPerOctave / height_;
-        (state_.camera_mode ? look.orbit.zoom : look.pose.zoom) =
-            scene::clamp_zoom((state_.camera_mode ? start.orbit.zoom : start.pose.zoom) + levels);
-    } else if (action.id == ActionId::drag_move) {
-        const double units = drag_->units_per_pixel * scene::kPanUnitsPerRadius;
-        const double x = units * dx, y = -units * dy;
-        if (state_.camera_mode) {
-            look.orbit.pan_x = moved(start.orbit.pan_x, -x);
-            look.orbit.pan_y = moved(start.orbit.pan_y, -y);
-        } else {
-            look.pose.pan_x = moved(start.pose.pan_x, x);
-            look.pose.pan_y = moved(start.pose.pan_y, y);
-        }
-    } else {
-        const std::int64_t turn_x = angle_of_pixels(dx), turn_y = angle_of_pixels(dy);
-        drag_->turns = action.id == ActionId::drag_rotate && !moves_light();
-        follow_turn(turn_x, turn_y);
-        if (action.id == ActionId::drag_rotate && moves_light()) {
-            turn_light(start.lights[static_cast<std::size_t>(state_.light)], turn_x, -turn_y, mesh);
-        } else if (action.id == ActionId::drag_roll) {
-            int& roll = state_.camera_mode ? look.orbit.roll : look.pose.roll;
-            roll = scene::wrap_angle((state_.camera_mode ? start.orbit.roll : start.pose.roll) -
-                                     turn_x);
-        } else if (state_.camera_mode) {
-            // What is seen follows the hand: the camera goes the other way.
-            look.orbit.azimuth = scene::wrap_angle(start.orbit.azimuth - turn_x);
-            look.orbit.elevation = clamped_elevation(start.orbit.elevation + turn_y);
-        } else {
-            look.pose.yaw = scene::wrap_angle(start.pose.yaw + turn_x);
-            look.pose.pitch = scene::wrap_angle(start.pose.pitch + turn_y);
-        }
-    }
-    remember_drag();
-}
-
-void Viewer::remember_drag() {
-    if (drag_->remembered || state_.look == drag_->start) return;
-    remember(drag_->start);
-    drag_->remembered = true;
-}
-
-// Scales so that the point under the pixel (x, y), in the plane through the model's centre, stays.
-void Viewer::zoom_at(int levels, int x, int y, const geom::Mesh* mesh) {
-    const Result<scene::View> now = mesh != nullptr ? view(*mesh) : fail(Exit::usage, "no model");
-    if (!now) return zoom(levels);
-    const double unit = scene::world_units_per_pixel(*now, height_);
-    const double right = (x + 0.5 - width_ * 0.5) * unit;
-    const double up = (height_ * 0.5 - y - 0.5) * unit;
-    if (!state_.camera_mode) {
-        // zoom_towards takes the model's centre to stand at its pan; it really stands here:
-        scene::Pose& pose = state_.look.pose;
-        const double pan_x = static_cast<double>(pose.pan_x) / scene::kPanUnitsPerRadius;
-        const double pan_y = static_cast<double>(pose.pan_y) / scene::kPanUnitsPerRadius;
-        return scene::zoom_towards(pose, levels, right - (now->translation.x - pan_x),
-                                   up - (now->translation.y - pan_y));
-    }
-    scene::Orbit& orbit = state_.look.orbit;
-    const int before = orbit.zoom;
-    zoom(levels);
-    const double kept = 1 - 1 / scene::zoom_scale(orbit.zoom - before);
-    orbit.pan_x = moved(orbit.pan_x, right * kept * scene::kPanUnitsPerRadius);
-    orbit.pan_y = moved(orbit.pan_y, up * kept * scene::kPanUnitsPerRadius);
 }
 
 Effect Viewer::change_file(int by) {

@@ -7,6 +7,7 @@
 #include "app/settings.h"
 #include "geom/mesh.h"
 
+#include <algorithm>
 #include <deque>
 #include <optional>
 #include <span>
@@ -157,6 +158,8 @@ private:
     bool fits(const geom::Mesh& mesh) const;
     void zoom_model(int levels);
     int clamped_elevation(std::int64_t units) const;
+    // The split line moves by this much, and is taken by a pointer no farther away than that.
+    int split_step() const { return std::max(1, width_ / 64); }
     std::int64_t angle_of_pixels(int pixels) const;
     Effect change_file(int by);
 
