@@ -38,7 +38,7 @@ Json point_json(const FrontierReport& report, std::size_t index) {
     const auto own = report.found.points->cost();
     if (own && point.price) {
         json["cpu_ms"] = interval(point.price->cpu_ratio, own->cpu_ms);
-        json["wall_ms"] = interval(point.price->wall_ratio, own->wall_ms);
+        json["wall_ms"] = interval(measure::steady_wall_ratio(*point.price), own->wall_ms);
         if (own->instructions && point.price->instructions)
             json["instructions"] = *own->instructions + point.price->instructions->median;
     }

@@ -1,7 +1,6 @@
 #include "app/frontier_report.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -12,23 +11,16 @@ using measure::Frontier;
 using measure::Ladder;
 using measure::LadderRung;
 
-// What more time buys, from the knee on: that point which gains most for each doubling of the time,
-// of which there is one at least. Twice the time, where nothing beyond gains more.
-std::string beyond(const Frontier& found, std::size_t knee) {
-    double most = 0, times = 0, gain = 0;
-    for (const auto& p : found.frontier) {
-        const double as_long = found.cpu_ms(p.point) / found.cpu_ms(knee),
-                     less = found.error(knee) - found.error(p.point);
-        if (less <= 0 || as_long <= 0) continue;
-        const double a_doubling = less / std::max(1.0, std::log2(as_long));
-        if (a_doubling <= most) continue;
-        most = a_doubling;
-        times = as_long;
-        gain = less;
-    }
-    if (most == 0) return "nothing more accurate was found.";
-    if (times <= 2) return fmt::format("twice the time buys {:.2f} codes.", gain);
-    return fmt::format("{:.1f} times the time buys {:.2f} codes.", times, gain);
+// What more time buys, from the knee on.
+std::string beyond(const Frontier& found) {
+    const std::vector<measure::TimedError> set = found.timed_errors();
+    const std::size_t knee = measure::knee_of(set);
+    const std::optional<std::size_t> buy = measure::best_buy(set, knee);
+    if (!buy) return "nothing more accurate was found.";
+    const double times = set[*buy].time / set[knee].time;
+    return fmt::format("{} the time buys {:.2f} codes.",
+                       times <= 2 ? "twice" : fmt::format("{:.1f} times", times),
+                       set[knee].error - set[*buy].error);
 }
 
 std::string knee_sentence(const FrontierReport& report) {
@@ -36,7 +28,7 @@ std::string knee_sentence(const FrontierReport& report) {
     const std::size_t knee = *found.knee();
     return fmt::format("Knee: {}: {:.2f} codes RMSE at {:.2f} ms a frame ({} ms of CPU time); {}",
                        report.name_of(knee), found.error(knee), found.wall_ms(knee),
-                       report.cpu_text(knee), beyond(found, knee));
+                       report.cpu_text(knee), beyond(found));
 }
 
 // The measurement was stopped before anything but the picture as asked for was timed.

@@ -45,10 +45,7 @@ double Frontier::cpu_ms(std::size_t point) const {
 double Frontier::wall_ms(std::size_t point) const {
     const auto own = points->cost();
     const auto& price = (*points)[point].price;
-    if (!own || !price) return 0;
-    const Difference& wall = price->wall_ratio;
-    const double cpu = price->cpu_ratio.median;
-    return own->wall_ms * (wall.low <= cpu && cpu <= wall.high ? cpu : wall.median);
+    return own && price ? own->wall_ms * steady_wall_ratio(*price).median : 0;
 }
 
 std::vector<std::size_t> Frontier::drawn_rungs() const {
@@ -116,12 +113,29 @@ std::size_t knee_of(const std::vector<TimedError>& set) {
     return knee;
 }
 
-std::optional<std::size_t> Frontier::knee() const {
-    if (frontier.empty()) return std::nullopt;
+std::optional<std::size_t> best_buy(const std::vector<TimedError>& set, std::size_t from) {
+    std::optional<std::size_t> best;
+    double most = 0;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        const double gain = (set[from].error - set[i].error) /
+                            std::max(1.0, std::log2(set[i].time / set[from].time));
+        if (gain <= most) continue;
+        most = gain;
+        best = i;
+    }
+    return best;
+}
+
+std::vector<TimedError> Frontier::timed_errors() const {
     std::vector<TimedError> set;
     for (const FrontierPoint& p : frontier)
         set.push_back({cpu_ms(p.point), error(p.point)});
-    return frontier[knee_of(set)].point;
+    return set;
+}
+
+std::optional<std::size_t> Frontier::knee() const {
+    if (frontier.empty()) return std::nullopt;
+    return frontier[knee_of(timed_errors())].point;
 }
 
 std::optional<std::size_t> Frontier::best_within(double wall) const {

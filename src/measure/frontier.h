@@ -19,6 +19,10 @@
 
 namespace scanout::measure {
 
+struct TimedError {
+    double time = 0, error = 0;
+};
+
 struct EffectPrice {
     std::string effect, technique;
     Price price;              // of a frame with it over one without
@@ -43,8 +47,6 @@ struct Frontier {
     bool interrupted = false;            // by the user, not by the time
 
     // Of a frame: the median of the picture as asked for, times how often as much the point takes.
-    // Wall time grows like CPU time, unless it was measured to do otherwise: its own ratio is what
-    // other work on the machine disturbs.
     double cpu_ms(std::size_t point) const;
     double wall_ms(std::size_t point) const;
     double error(std::size_t point) const { return (*points)[point].error.rmse_codes; }
@@ -54,6 +56,7 @@ struct Frontier {
     std::vector<std::size_t> untimed_rungs() const;
     // Of the frontier, whose order is that of CPU times; it has a point.
     double least_wall_ms() const;
+    std::vector<TimedError> timed_errors() const; // of the frontier, by CPU time
     // Of Points; nothing of an empty frontier.
     std::optional<std::size_t> knee() const;
     // The most accurate point of the frontier whose frame takes no more than so many milliseconds
@@ -80,9 +83,6 @@ Result<Frontier> frontier(const scene::Scene& scene, frame::SceneFacts facts,
                           const image::Image& reference, const FrontierOptions& how);
 
 // Of points (time, error) those that no other one beats in both, by time; of equal ones the first.
-struct TimedError {
-    double time = 0, error = 0;
-};
 std::vector<std::size_t> pareto_set(const std::vector<TimedError>& points);
 // Errors of whole pictures, codes: a is no more than b by a tenth, where they add up as squares.
 // Less is not worth a word.
@@ -99,5 +99,8 @@ Difference one_of(const Difference& ratio, std::size_t intervals);
 // time's axis is logarithmic and the error's is not: more of the errors' range is gained there than
 // of the times' is spent. The first where none is below.
 std::size_t knee_of(const std::vector<TimedError>& set);
+// The one that gains most over `from` for each doubling of its time, of which there is one at
+// least; nothing where none errs less.
+std::optional<std::size_t> best_buy(const std::vector<TimedError>& set, std::size_t from);
 
 } // namespace scanout::measure

@@ -64,6 +64,13 @@ static Difference inverse(const Difference& ratio) {
     return {1 / ratio.median, 1 / ratio.high, 1 / ratio.low};
 }
 
+Difference steady_wall_ratio(const Price& price) {
+    Difference wall = price.wall_ratio;
+    const double cpu = price.cpu_ratio.median;
+    if (wall.low <= cpu && cpu <= wall.high) wall.median = cpu;
+    return wall;
+}
+
 Price operator-(Price price) {
     price.cpu_ms = -price.cpu_ms;
     price.wall_ms = -price.wall_ms;

@@ -53,6 +53,9 @@ struct Price {
     Difference cpu_ratio{1, 1, 1}, wall_ratio{1, 1, 1};
     std::optional<Difference> instructions;
 };
+// Of wall times: that of CPU times, wherever the wall times' own interval holds it. Other work on
+// the machine disturbs wall times more.
+Difference steady_wall_ratio(const Price& price);
 Price operator-(Price price); // what b costs more than a
 Price equal_by_construction();
 

@@ -28,6 +28,15 @@ TEST(ProgressBar, GrowsEvenlyOnOneLineAndIsErased) {
     EXPECT_EQ(terminal.lines[100], "reading knot.stl  [####################] 100 %");
 }
 
+// What is left to do may turn out to be more than it seemed.
+TEST(ProgressBar, NeverGoesBack) {
+    Terminal terminal;
+    ProgressBar bar("tracing", 0, terminal.write());
+    for (const double fraction : {0.5, 0.9, 0.7, 0.9, 0.91})
+        bar.show(fraction);
+    EXPECT_EQ(terminal.lines.size(), 3U);
+}
+
 TEST(ProgressBar, WaitsAndLeavesNoTraceWhenItWasNotNeeded) {
     Terminal terminal;
     {

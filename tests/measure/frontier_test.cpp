@@ -164,6 +164,15 @@ TEST(Frontier, TheKneeIsFarthestBelowTheLine) {
     EXPECT_EQ(knee_of({{5, 1}}), 0U);
 }
 
+TEST(Frontier, TheBestBuyGainsMostForADoublingOfTheTime) {
+    const std::vector<TimedError> set = {{1, 9}, {2, 3}, {3.5, 2.9}, {4.4, 1.1}, {70, 0.5}};
+    EXPECT_EQ(best_buy(set, 1), 3U) << "2.2 times the time for 1.9, not 1.75 times for 0.1";
+    EXPECT_EQ(best_buy(set, 3), 4U);
+    EXPECT_EQ(best_buy(set, 4), std::nullopt);
+    EXPECT_EQ(best_buy({{1, 9}, {1.01, 8}, {2, 7}, {16, 0}}, 0), 3U) << "2.25 a doubling";
+    EXPECT_EQ(best_buy({{1, 9}, {1.01, 8}, {2, 6.7}, {16, 1}}, 0), 2U) << "a little more is no buy";
+}
+
 // No point that was timed beats one on the frontier by more than the intervals of both, and each
 // of them was measured as a whole.
 TEST(Frontier, NothingMeasuredBeatsIt) {

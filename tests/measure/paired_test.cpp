@@ -256,6 +256,17 @@ TEST(PairedTimer, WritesNoNumberThatChanceMayHaveMade) {
 
 // The law, shortened (bench/prices.py has all of it): with both cores kept busy, frames of one
 // plan differ by 0.
+TEST(SteadyWallRatio, IsThatOfCpuTimesUnlessWallTimesSayOtherwise) {
+    Price price;
+    price.cpu_ratio = {2, 1.9, 2.1};
+    price.wall_ratio = {3.5, 1.2, 4};
+    EXPECT_EQ(steady_wall_ratio(price).median, 2);
+    EXPECT_EQ(steady_wall_ratio(price).low, 1.2);
+    EXPECT_EQ(steady_wall_ratio(price).high, 4);
+    price.wall_ratio = {1.3, 1.2, 1.4}; // more threads take part
+    EXPECT_EQ(steady_wall_ratio(price).median, 1.3);
+}
+
 TEST(PairedTimer, FindsNoDifferenceBetweenFramesOfOnePlanOnABusyMachine) {
     const test::Shot s = test::solids("balls");
     Jobs jobs(2);
