@@ -9,7 +9,9 @@ lintian --fail-on error,warning "$deb"
 
 chroot=$(mktemp -d)
 trap 'umount "$chroot/proc" 2>/dev/null || true; rm -rf "$chroot"' EXIT
-mirror=$(sed -n 's/^\(deb\|URIs:\) *\(\[[^]]*\] *\)\?\(http[^ ]*\).*/\3/p' /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null | head -n 1)
+# Not every machine has both kinds of lists.
+mirror=$({ cat /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources} 2>/dev/null || true; } |
+    sed -n '/^\(deb\|URIs:\) *\(\[[^]]*\] *\)\?\(http[^ ]*\).*/{s//\3/p;q}')
 debootstrap --variant=minbase bookworm "$chroot" "${mirror:-http://deb.debian.org/debian}" >"$root/build/debootstrap.log" 2>&1 || {
     tail "$root/build/debootstrap.log"
     exit 1
@@ -26,7 +28,7 @@ got=$(within scanout render /usr/share/scanout/models/spot/spot.obj --hash)
 expected=$("$root/build/release/scanout" render "$root/models/spot/spot.obj" --hash)
 [ "$got" = "$expected" ] || { echo "another picture: $got, not $expected"; exit 1; }
 for file in share/man/man1/scanout.1.gz share/bash-completion/completions/scanout share/zsh/vendor-completions/_scanout \
-    share/fish/vendor_completions.d/scanout.fish share/thumbnailers/scanout.thumbnailer share/doc/scanout/copyright; do
+    share/fish/vendor_completions.d/scanout.fish libexec/scanout/console-guard share/thumbnailers/scanout.thumbnailer share/doc/scanout/copyright; do
     [ -s "$chroot/usr/$file" ] || { echo "/usr/$file was not installed"; exit 1; }
 done
 # As a desktop's thumbnailer would call it: no home, no display.
