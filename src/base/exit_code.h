@@ -1,4 +1,5 @@
-// The program's exit codes (docs/EXAMPLES.md, "Exit codes"). An Error carries the one that it leads to.
+// The program's exit codes (docs/EXAMPLES.md, "Exit codes"). An Error carries the one that it leads
+// to.
 #pragma once
 
 namespace scanout {

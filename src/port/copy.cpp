@@ -9,7 +9,7 @@
 namespace scanout::port {
 namespace {
 
-constexpr std::size_t kPiece = 1024;  // pixels
+constexpr std::size_t kPiece = 1024; // pixels
 constexpr std::size_t kMaxBytes = 4; // a pixel
 
 } // namespace
