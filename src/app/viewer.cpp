@@ -135,6 +135,35 @@ Effect Viewer::apply(const Action& action, const geom::Mesh* mesh) {
     return effect;
 }
 
+// One thing that is open or under way, in a fixed order; quits where there is none.
+Effect Viewer::close_topmost(const geom::Mesh* mesh) {
+    if (state_.help > 0)
+        state_.help = 0;
+    else if (moves_light())
+        state_.light = -1;
+    else if (state_.measuring)
+        stop_measuring();
+    else if (state_.look.flies)
+        return carry_out({ActionId::toggle_fly, {}, {}, false}, mesh);
+    else if (state_.explain > 0)
+        state_.explain = 0;
+    else if (state_.warnings > 0)
+        state_.warnings = 0;
+    else if (state_.frontier)
+        state_.frontier = false;
+    else if (state_.doctor > 0)
+        state_.doctor = 0;
+    else if (state_.split)
+        state_.split = false;
+    else if (state_.error_map)
+        state_.error_map = false;
+    else if (state_.info)
+        state_.info = false;
+    else
+        return Effect::quit;
+    return Effect::none;
+}
+
 Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
     stop_spin(action.id);
     switch (action.id) {
@@ -189,31 +218,7 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
         next_light();
         return Effect::none;
     case ActionId::close:
-        if (state_.help > 0)
-            state_.help = 0;
-        else if (moves_light())
-            state_.light = -1;
-        else if (state_.measuring)
-            stop_measuring();
-        else if (state_.look.flies)
-            return carry_out({ActionId::toggle_fly, {}, {}, false}, mesh);
-        else if (state_.explain > 0)
-            state_.explain = 0;
-        else if (state_.warnings > 0)
-            state_.warnings = 0;
-        else if (state_.frontier)
-            state_.frontier = false;
-        else if (state_.doctor > 0)
-            state_.doctor = 0;
-        else if (state_.split)
-            state_.split = false;
-        else if (state_.error_map)
-            state_.error_map = false;
-        else if (state_.info)
-            state_.info = false;
-        else
-            return Effect::quit;
-        return Effect::none;
+        return close_topmost(mesh);
     case ActionId::undo:
         undo();
         return Effect::none;

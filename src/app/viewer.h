@@ -113,7 +113,8 @@ private:
     void rest_if_slow();
     void spin();
     Effect carry_out(const Action& action, const geom::Mesh* mesh);
-    scene::CameraOptions camera() const; // before the model is fitted
+    Effect close_topmost(const geom::Mesh* mesh); // Esc
+    scene::CameraOptions camera() const;          // before the model is fitted
     const scene::CameraOptions& fitted_camera(const geom::Mesh& mesh) const;
     static std::int64_t moved(std::int64_t pan, double by_units);
     void remember(const Look& before);
