@@ -68,13 +68,26 @@ Result<void> check_compare(const Settings& settings) {
     return check_outputs(settings.arguments, outputs);
 }
 
+image::Image heat_map_of(Metric metric, const image::Image& expected, const image::Image& got) {
+    std::vector<float> errors;
+    switch (metric) {
+    case Metric::flip:
+        errors = image::flip_map(expected, got);
+        break;
+    case Metric::ssim:
+        for (const double similarity : image::ssim_map(expected, got))
+            errors.push_back(static_cast<float>(1 - similarity));
+        break;
+    default:
+        return image::heat_map(expected, got);
+    }
+    return image::heat_map(got.width(), got.height(), errors);
+}
+
 Result<void> write_heat_map(const Settings& settings, const image::Image& got,
                             const image::Image& expected) {
     if (settings.heat_map.empty()) return {};
-    const image::Image map =
-        settings.metric == Metric::flip
-            ? image::heat_map(got.width(), got.height(), image::flip_map(expected, got))
-            : image::heat_map(expected, got);
+    const image::Image map = heat_map_of(settings.metric, expected, got);
     TRY(const PictureFormat format, picture_format(settings.heat_map, PictureFormat::by_name));
     TRY(const image::Bytes bytes, encode(map, format, std::nullopt));
     return write_picture(settings.heat_map, bytes);

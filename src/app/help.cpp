@@ -48,13 +48,13 @@ constexpr std::string_view kOverview =
     "differ, 70 internal.\n";
 
 // Those of --help; the others stand in --help-all.
-constexpr std::array<std::string_view, 36> kEveryday = {
-    "output",    "format",     "hash",       "json",       "csv",       "html",
-    "size",      "samples",    "background", "shading",    "texture",   "shadow",
-    "light",     "view",       "camera",     "up",         "turntable", "budget",
-    "reference", "projection", "backend",    "device",     "mode",      "converge",
-    "replay",    "axis",       "seconds",    "quick",      "strict",    "fix",
-    "sarif",     "metric",     "max-diff",   "max-pixels", "verbose",   "quiet"};
+constexpr std::array<std::string_view, 37> kEveryday = {
+    "output",  "format",     "hash",      "json",    "csv",       "html",       "size",
+    "samples", "background", "shading",   "texture", "shadow",    "light",      "view",
+    "camera",  "up",         "turntable", "budget",  "reference", "projection", "backend",
+    "device",  "mode",       "converge",  "replay",  "axis",      "seconds",    "quick",
+    "strict",  "fix",        "sarif",     "metric",  "max-diff",  "max-pixels", "verbose",
+    "quiet",   "heatmap"};
 
 } // namespace
 
@@ -80,6 +80,7 @@ std::string_view introduction(Command command) {
                "  scanout render spot.obj -o - --format ppm | display -\n"
                "  scanout render spot.obj -o turn-{n}.png --turntable 36 --view iso\n"
                "  scanout render spot.obj -o spot.png --budget 16ms     as well as 16 ms allow\n"
+               "  scanout render spot.obj -o spot.png --max-error 1     as quick as a code allows\n"
                "  scanout render spot.obj --hash                        the picture's hash\n"
                "  scanout render spot.obj -o spot.png --json            times and counts\n";
     case Command::explain:
@@ -99,7 +100,8 @@ std::string_view introduction(Command command) {
                "\n"
                "  scanout frontier spot.obj --camera 150,20 --size 640x360\n"
                "  scanout frontier spot.obj --quick --axis aa --axis texture\n"
-               "  scanout frontier spot.obj --json=f.json --csv f.csv --svg f.svg --html f.html\n"
+               "  scanout frontier spot.obj --json=f.json --csv f.csv --html f.html\n"
+               "  scanout frontier spot.obj --svg f.svg --png f.png --sheet sheet.png\n"
                "  scanout frontier spot.obj --no-times          errors alone\n"
                "\n"
                "Every rung of every axis is drawn, compared with a reference picture and timed; "

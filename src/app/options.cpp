@@ -426,7 +426,8 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"heatmap", 0, "FILE", "", "", 0, 0, Group::comparison, kCompare,
      Text([](Settings& s) -> std::string& { return s.heat_map; }),
      "write the error of each pixel as a picture: black is none, pale yellow 255 codes, each "
-     "doubling of the error a step lighter; with --metric flip, FLIP from 0 to 1"},
+     "doubling of the error a step lighter; with --metric flip, FLIP from 0 to 1; with --metric "
+     "ssim, 1 - SSIM from 0 to 1"},
 
     {"quick", 0, "", "", "", 0, 0, Group::examination, kDoctor,
      Switch([](Settings& s) -> bool& { return s.quick; }),

@@ -109,25 +109,37 @@ double psnr(double rmse) {
     return -20 * log2(rmse) / kLog2Of10;
 }
 
-double ssim(const Image& reference, const Image& test) {
+std::vector<double> ssim_map(const Image& reference, const Image& test) {
     check_sizes(reference, test);
-    if (reference.pixels().empty()) return 1;
     const std::vector<double> weight = window_side();
     const Side side{weight, 1};
     const auto mean = [&](const Plane& plane) { return convolve(plane, side, side); };
     const Plane a = luma(reference), b = luma(test);
     const Plane mean_a = mean(a), mean_b = mean(b), mean_aa = mean(product(a, a)),
                 mean_bb = mean(product(b, b)), mean_ab = mean(product(a, b));
-    const auto margin = [](int size) { return size > 2 * kWindowRadius ? kWindowRadius : 0; };
-    const int left = margin(a.width), top = margin(a.height);
-    double sum = 0;
-    for (int y = top; y < a.height - top; ++y)
-        for (int x = left; x < a.width - left; ++x) {
+    std::vector<double> map;
+    map.reserve(reference.pixels().size());
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) {
             const double p = mean_a.at(x, y), q = mean_b.at(x, y);
-            sum += similarity(p, q, mean_aa.at(x, y) - p * p, mean_bb.at(x, y) - q * q,
-                              mean_ab.at(x, y) - p * q);
+            map.push_back(similarity(p, q, mean_aa.at(x, y) - p * p, mean_bb.at(x, y) - q * q,
+                                     mean_ab.at(x, y) - p * q));
         }
-    return sum / (static_cast<double>(a.width - 2 * left) * (a.height - 2 * top));
+    return map;
+}
+
+double ssim(const Image& reference, const Image& test) {
+    if (reference.pixels().empty()) return 1;
+    const std::vector<double> map = ssim_map(reference, test);
+    const auto margin = [](int size) { return size > 2 * kWindowRadius ? kWindowRadius : 0; };
+    const int width = reference.width(), height = reference.height(), left = margin(width),
+              top = margin(height);
+    double sum = 0;
+    for (int y = top; y < height - top; ++y)
+        for (int x = left; x < width - left; ++x)
+            sum += map[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                       static_cast<std::size_t>(x)];
+    return sum / (static_cast<double>(width - 2 * left) * (height - 2 * top));
 }
 
 } // namespace scanout::image

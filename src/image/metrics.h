@@ -5,6 +5,8 @@
 
 #include "image/image.h"
 
+#include <vector>
+
 namespace scanout::image {
 
 // Of red, green and blue of all pixels; all 0 for equal and for empty pictures. What is transparent
@@ -22,9 +24,11 @@ double psnr(double rmse);
 
 // Structural similarity, 1 for equal pictures: Wang et al. 2004, with the paper's constants and its
 // Gaussian window of 11 x 11 pixels, on the luma of codes (0.299 R + 0.587 G + 0.114 B); alpha is
-// not looked at. The mean
-// over all windows that lie whole in the picture; where a side is shorter than a window, the edge
-// repeats outwards.
+// not looked at. Of the window around each pixel, rows from the top; beyond the picture its edge
+// repeats.
+std::vector<double> ssim_map(const Image& reference, const Image& test);
+// The mean over all windows that lie whole in the picture; where a side is shorter than a window,
+// over all.
 double ssim(const Image& reference, const Image& test);
 
 } // namespace scanout::image

@@ -361,6 +361,11 @@ TEST_F(Program, CompareMeasuresOneFigure) {
     EXPECT_EQ(heat.at(3, 2), (image::Rgba8{0xfc, 0xfd, 0xbf, 255}));
     EXPECT_EQ(heat.at(4, 2), (image::Rgba8{0, 0, 4, 255}));
 
+    EXPECT_EQ(run("compare $d/a.png $d/b.png --metric ssim --heatmap $d/heat.png").code, 0);
+    const image::Image unlike = *image::load(folder.file("heat.png"));
+    EXPECT_GT(unlike.at(4, 2).r, 0) << "its window holds the pixel that differs";
+    EXPECT_NE(unlike.at(4, 2), heat.at(3, 2));
+
     const auto json = nlohmann::json::parse(run("compare $d/a.png $d/b.png --json").out);
     EXPECT_NEAR(double{json["rmse"]}, rmse, 1e-6);
     EXPECT_NEAR(double{json["share_off_by_more_than_one"]}, 1.0 / 48, 1e-6);
