@@ -107,16 +107,18 @@ double World::mapped_alpha(const Hit& hit) const {
     return alpha;
 }
 
+// In a cut-out surface: alpha is below the material's own cut, or else the one of all.
+bool World::is_hole(const Hit& hit) const {
+    const auto every = static_cast<float>(look_->alpha_cut);
+    return mapped_alpha(hit) < double{material(hit.triangle).alpha_cut.value_or(every)};
+}
+
 double World::alpha(const Hit& hit) const {
     switch (in_list(look_->alpha, of_list(hit.triangle))) {
     case Alpha::opaque:
         return 1;
     case Alpha::cut_out:
-        return mapped_alpha(hit) >=
-                       double{material(hit.triangle)
-                                  .alpha_cut.value_or(static_cast<float>(look_->alpha_cut))}
-                   ? 1
-                   : 0;
+        return is_hole(hit) ? 0 : 1;
     case Alpha::blended:
         return mapped_alpha(hit);
     case Alpha::nothing:
@@ -130,8 +132,7 @@ bool World::is_blended(std::uint32_t triangle) const {
 }
 
 bool World::lets_through(const Hit& hit) const {
-    return in_list(look_->casts, of_list(hit.triangle)) == Alpha::cut_out &&
-           mapped_alpha(hit) < look_->alpha_cut;
+    return in_list(look_->casts, of_list(hit.triangle)) == Alpha::cut_out && is_hole(hit);
 }
 
 // Of the triangle, on the side from which it winds counter-clockwise.

@@ -64,6 +64,7 @@ private:
     bool reads(bool asked, const scene::TextureMap& map) const;
     DVec4 sampled(const Hit& hit, const scene::TextureMap& map, bool encoded) const;
     double mapped_alpha(const Hit& hit) const;
+    bool is_hole(const Hit& hit) const;
     DVec3 wound(const Hit& hit) const;
     std::array<DVec3, 3> normals(const Hit& hit, const Ray& ray) const;
     void lean(DVec3& normal, const Hit& hit, const DVec3& given) const;

@@ -47,6 +47,31 @@ int largest(const image::Rgba8& a, const image::Rgba8& b) {
 
 // Where the renderer takes many samples, it draws what rays find: to a code, but at edges.
 // What glTF's materials ask for: edges of a texture by axis, no light, a cut of their own.
+// Two equal screens in the light, alpha 0.6: one shows by its cut and casts, one does neither.
+Shot own_cuts_over_a_floor() {
+    Shot s = test::shot("own_cut_shadow");
+    s.scene.textures = {{"grey", image::Image(1, 1, {255, 255, 255, 153})}};
+    s.scene.materials = {test::plain(Vec3(0.7F)), test::textured(0), test::textured(0)};
+    s.scene.materials[1].alpha_cut = 0.5F;
+    s.scene.materials[2].alpha_cut = 0.7F;
+    const auto flat = [&](float x0, float x1, float y, float z, int material) {
+        test::add_quad(s.scene.mesh, {{{x0, y, z}, {x1, y, z}, {x1, y, -z}, {x0, y, -z}}},
+                       {0, 1, 0}, material);
+    };
+    flat(-1, 1, -0.5F, 1, 0);
+    flat(-0.7F, -0.2F, 0.2F, 0.4F, 1);
+    flat(0.2F, 0.7F, 0.2F, 0.4F, 2);
+    s.camera.elevation_degrees = 30;
+    s.camera.distance = 2.5;
+    scene::Light lamp = test::light_of(scene::LightKind::directional, 0.9);
+    lamp.casts = true;
+    lamp.towards = {0.1, 1, 0.2};
+    s.options.lights = {lamp, test::light_of(scene::LightKind::ambient, 0.15)};
+    s.options.shadow = "map";
+    s.options.shadow_size = 1024;
+    return s;
+}
+
 std::vector<Shot> gltf_shots() {
     std::vector<Shot> shots;
     for (const auto& [name, u, v] :
@@ -66,6 +91,7 @@ std::vector<Shot> gltf_shots() {
     for (int y = 0; y < picture.height(); ++y)
         for (int x = 0; x < picture.width(); ++x)
             picture.at(x, y).a = static_cast<std::uint8_t>(255 * x / picture.width());
+    shots.push_back(own_cuts_over_a_floor());
     return shots;
 }
 
