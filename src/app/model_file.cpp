@@ -23,6 +23,7 @@ static void override_materials(const Settings& settings, scene::Scene& scene) {
         if (settings.opacity) {
             material.opacity = static_cast<float>(*settings.opacity);
             material.map_opacity = {};
+            material.alpha_cut.reset();
         }
     };
     change(scene.unnamed);

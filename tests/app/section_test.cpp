@@ -123,6 +123,19 @@ TEST_F(SectionInView, ColourAndOpacityReplaceTheMaterials) {
         EXPECT_FALSE(parsed(wrong)) << wrong;
 }
 
+TEST_F(SectionInView, OpacityTakesACutOfTheFileAway) {
+    const std::string file = folder.write(
+        "cut.gltf",
+        R"({"asset":{"version":"2.0"},"accessors":[{"componentType":5126,"type":"VEC3","count":3}],)"
+        R"("materials":[{"alphaMode":"MASK"}],"nodes":[{"mesh":0}],"meshes":[{"primitives":)"
+        R"([{"attributes":{"POSITION":0},"material":0}]}]})");
+    const auto cut = [&](const char* options) {
+        return load_model(file, parsed(options)->settings, jobs, {})->scene.materials[0].alpha_cut;
+    };
+    EXPECT_EQ(cut(""), 0.5F);
+    EXPECT_EQ(cut("--opacity 0.25"), std::nullopt);
+}
+
 TEST_F(SectionInView, ColourTakesTexturesAndColoursOfVerticesAway) {
     const std::string file =
         folder.write("c.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n");

@@ -39,7 +39,7 @@ TEST(GltfMaterials, ACutOfItsOwnDecidesWhole) {
         const image::Image picture = draw(s);
         return picture.at(s.options.width / 2, s.options.height / 2) != s.options.background;
     };
-    for (const double option : {0.1, 0.9}) {
+    for (const double option : {0.0, 0.1, 0.9, 1.0}) {
         s.options.alpha_cut = option;
         s.scene.materials[0].alpha_cut = 0.55F;
         EXPECT_TRUE(covered());
@@ -56,6 +56,25 @@ TEST(GltfMaterials, ACutOfItsOwnDecidesWhole) {
     s.scene.materials[0].opacity = 1;
     s.scene.materials[0].alpha_cut = 1.5F;
     EXPECT_FALSE(covered());
+    s.scene.materials[0].opacity = 0; // reaches a cut of 0
+    s.scene.materials[0].alpha_cut = 0.0F;
+    EXPECT_TRUE(covered());
+    s.scene.materials[0].alpha_cut.reset();
+    EXPECT_FALSE(covered());
+}
+
+// Blended because the user asks for it, it still is there or not.
+TEST(GltfMaterials, ACutOfItsOwnDecidesWholeWhereItIsBlended) {
+    Shot s = wrapped_square("cut", "auto");
+    s.scene.textures = {{"grey", image::Image(1, 1, {255, 255, 255, 150})}};
+    s.options.transparency = "exact";
+    const auto middle = [&] { return draw(s).at(s.options.width / 2, s.options.height / 2); };
+    s.scene.materials[0].alpha_cut = 0.65F;
+    EXPECT_EQ(middle(), s.options.background);
+    s.scene.materials[0].alpha_cut = 0.55F;
+    const image::Rgba8 seen = middle();
+    s.scene.textures[0].image.at(0, 0).a = 255;
+    EXPECT_EQ(middle(), seen);
 }
 
 } // namespace

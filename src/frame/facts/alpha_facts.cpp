@@ -83,7 +83,7 @@ AlphaFacts alpha_facts(const scene::Scene& scene) {
         if (i == 0) continue; // the default material is opaque
         const scene::Material& m = scene.materials[i - 1];
         AlphaClass found = AlphaClass::unseen;
-        if (m.opacity > 0 && m.opacity >= m.alpha_cut.value_or(0)) {
+        if (m.alpha_cut ? m.opacity >= *m.alpha_cut : m.opacity > 0) {
             const AlphaClass diffuse = textures.of(m.map_diffuse, 'm');
             const AlphaClass opacity = textures.of(m.map_opacity, m.map_opacity->channel);
             found = m.opacity < 1 ? AlphaClass::blended : std::max(diffuse, opacity);

@@ -29,8 +29,8 @@ struct TransparencyInput {
     std::span<const MaterialAlpha> alpha; // of the default material, then of each of the scene
     std::span<const Stage* const> stages; // find alpha
     FrameState frame;                     // of those stages
-    float cut = 0.5F;                     // least alpha that is drawn
-    std::size_t max_fragments = 0;        // of a list; what is drawn does not depend on it
+    float cut = 0.5F;              // least alpha that is drawn, unless a material has its own
+    std::size_t max_fragments = 0; // of a list; what is drawn does not depend on it
 };
 
 struct GatherInput {

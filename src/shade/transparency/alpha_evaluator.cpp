@@ -7,11 +7,6 @@ namespace scanout::shade {
 
 using raster::kSubpixel;
 
-// A material with a cut of its own is there or not, whatever --alpha-cut says.
-static float tested(float alpha, float cut) {
-    return alpha >= cut ? 1.0F : 0.0F;
-}
-
 AlphaEvaluator::AlphaEvaluator()
     : block_(std::make_unique<ShadingBlock>()), primitives_(std::make_unique<PrimitiveCache>()) {}
 AlphaEvaluator::~AlphaEvaluator() = default;
@@ -45,10 +40,16 @@ void AlphaEvaluator::bind(std::int32_t index) {
 void AlphaEvaluator::add(std::uint32_t triangle, int x, int y, raster::SampleOffset sample) {
     const std::int32_t material = in_.mesh->material[triangle];
     if (material != material_) bind(material);
-    const auto& own_cut = block_->material->alpha_cut;
-    const float opacity = block_->material->opacity;
-    out_->push_back(own_cut ? tested(opacity, *own_cut) : opacity);
+    out_->push_back(value_of(block_->material->opacity));
     if (!constant_) add_item(triangle, x, y, sample);
+}
+
+// What blends is there or not where its material has a cut of its own; what is cut out meets its
+// cut in the pass (TransparencyPass::draw_candidates).
+float AlphaEvaluator::value_of(float alpha) const {
+    const auto& own_cut = block_->material->alpha_cut;
+    if (at_ == At::sample || !own_cut) return alpha;
+    return alpha >= *own_cut ? 1.0F : 0.0F;
 }
 
 void AlphaEvaluator::add_item(std::uint32_t triangle, int x, int y, raster::SampleOffset sample) {
@@ -73,9 +74,8 @@ void AlphaEvaluator::run_block() {
         stage->run(b, *in_.frame);
         check_lanes(b, *in_.frame, *stage);
     }
-    const auto& own_cut = b.material->alpha_cut;
     for (int i = 0; i < b.count; ++i)
-        (*out_)[place_[i]] = own_cut ? tested(b.alpha[i], *own_cut) : b.alpha[i];
+        (*out_)[place_[i]] = value_of(b.alpha[i]);
     b.count = b.runs = 0;
 }
 

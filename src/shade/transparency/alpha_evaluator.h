@@ -31,6 +31,7 @@ private:
     void add_item(std::uint32_t triangle, int x, int y, raster::SampleOffset sample);
     void bind(std::int32_t material);
     void run_block();
+    float value_of(float alpha) const;
 
     GatherInput in_; // with the frame state of the alpha stages
     At at_ = At::centre;

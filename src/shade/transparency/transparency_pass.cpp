@@ -87,7 +87,8 @@ void TransparencyPass::draw_candidates(const GatherInput& in, raster::Visibility
     const image::Rect& area = visibility.area();
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
         const Candidate& c = candidates_[i];
-        if (alpha_[i] >= in.transparency->cut)
+        const scene::Material& material = in.material(in.mesh->material[c.id]);
+        if (alpha_[i] >= material.alpha_cut.value_or(in.transparency->cut))
             visibility.draw_sample(area.x0 + c.pixel % kTileSize, area.y0 + c.pixel / kTileSize,
                                    c.sample, c.depth, c.id);
     }
