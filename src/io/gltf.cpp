@@ -10,7 +10,6 @@
 #include "math/transcendental.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -21,6 +20,7 @@ namespace gltf {
 namespace {
 
 constexpr std::uint64_t kReportVertices = 65536;
+constexpr std::size_t kReportPrimitives = 64;
 
 class GltfReader {
 public:
@@ -31,12 +31,18 @@ public:
     Result<GltfFile> read();
 
 private:
-    struct Part { // a primitive in a place
-        std::size_t draw, primitive;
-        const PrimitiveData* data;
+    struct Part {
+        std::size_t primitive;
+        PrimitiveData data;
     };
-    Result<> find_parts(Primitives& primitives);
-    Result<> check_size();
+    struct Mesh { // what of it is drawn, in each of its places
+        std::vector<Part> parts;
+        MeshSize size;
+        std::size_t skipped = 0; // primitives
+    };
+    Result<> find_meshes(Primitives& primitives);
+    Result<Mesh> find_mesh(Primitives& primitives, Index index);
+    Result<> check_size(Budget& budget) const;
     Result<> report(std::uint64_t vertices) const;
     const Palette* palette_of(const Draw& draw, Skins& skins);
     tl::unexpected<Error> nothing() const;
@@ -54,52 +60,57 @@ private:
     Document document_;
     std::vector<Draw> draws_;
     Looks looks_;
-    std::vector<Part> parts_;
-    std::map<std::pair<Index, std::size_t>, std::optional<PrimitiveData>> found_;
+    std::vector<std::optional<Mesh>> meshes_; // as the document's
     std::optional<Error> first_fault_;
     MeshSize size_;
     std::size_t skipped_ = 0;
 };
 
-// Each primitive is found once; one that cannot be is told, and left out of every place.
-Result<> GltfReader::find_parts(Primitives& primitives) {
-    for (std::size_t i = 0; i < draws_.size(); ++i) {
-        const Index mesh = draws_[i].mesh;
-        const auto& all = document_.meshes[static_cast<std::size_t>(mesh)].primitives;
-        for (std::size_t k = 0; k < all.size(); ++k) {
-            const auto [known, is_new] = found_.try_emplace({mesh, k});
-            if (is_new) {
-                auto data = primitives.find(mesh, k, uv_set_of(all[k].material));
-                if (data) {
-                    known->second = *data;
-                } else {
-                    if (!first_fault_) first_fault_ = data.error();
-                    warnings_.add("glTF primitive", data.error().what);
-                }
-            }
-            if (!known->second) {
-                ++skipped_;
-                continue;
-            }
-            size_.add(*known->second);
-            if (!size_.fits())
-                return fail(Exit::unreadable,
-                            "{}: nodes[{}] brings its scene to more than {} vertices or {} corners "
-                            "of triangles: cut the model into parts",
-                            path_, draws_[i].node, kMostVertices, kMostCorners);
-            parts_.push_back({i, k, &*known->second});
+// One that cannot be found is told, and left out of every place, as is one without a corner.
+Result<GltfReader::Mesh> GltfReader::find_mesh(Primitives& primitives, Index index) {
+    Mesh mesh;
+    const auto& all = document_.meshes[static_cast<std::size_t>(index)].primitives;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (k % kReportPrimitives == 0) TRY_VOID(report(0));
+        auto data = primitives.find(index, k, uv_set_of(all[k].material));
+        if (!data) {
+            if (!first_fault_) first_fault_ = data.error();
+            warnings_.add("glTF primitive", data.error().what);
+            ++mesh.skipped;
+        } else if (data->corners() > 0) {
+            mesh.size.add(*data);
+            mesh.parts.push_back({k, *std::move(data)});
         }
     }
-    return {};
+    return mesh;
 }
 
-Result<> GltfReader::check_size() {
-    if (size_.bytes() <= how_.memory_bytes) return {};
+Result<> GltfReader::find_meshes(Primitives& primitives) {
+    meshes_.resize(document_.meshes.size());
+    for (const Draw& draw : draws_) {
+        auto& mesh = meshes_[static_cast<std::size_t>(draw.mesh)];
+        if (!mesh) {
+            TRY(mesh, find_mesh(primitives, draw.mesh));
+        }
+        skipped_ += mesh->skipped;
+        size_.add(mesh->size);
+        if (!size_.fits())
+            return fail(Exit::unreadable,
+                        "{}: nodes[{}] brings its scene to more than {} vertices or {} corners of "
+                        "triangles: cut the model into parts",
+                        path_, draw.node, kMostVertices, kMostCorners);
+    }
+    return report(0);
+}
+
+// Building the mesh takes as much again as its source arrays (MemoryLimit::holds).
+Result<> GltfReader::check_size(Budget& budget) const {
+    const std::uint64_t bytes = 2 * size_.bytes();
+    if (budget.try_take(bytes)) return {};
     return fail(Exit::unreadable,
                 "{}: its scene has {} vertices and {} triangles, which take {} MB of memory, and "
                 "{} MB are available: close other programs, or cut the model into parts",
-                path_, size_.vertices, size_.faces, size_.bytes() / 1'000'000,
-                how_.memory_bytes / 1'000'000);
+                path_, size_.vertices, size_.faces, bytes / 1'000'000, budget.left() / 1'000'000);
 }
 
 Result<> GltfReader::report(std::uint64_t vertices) const {
@@ -159,9 +170,10 @@ Result<GltfFile> GltfReader::read() {
     Stopwatch watch;
     TRY(const Container container, open_container(file_, path_, warnings_));
     TRY(document_, read_document(container.json, path_, warnings_));
-    Buffers buffers(document_, container, path_, warnings_, how_);
-    Primitives primitives(document_, buffers, path_, warnings_);
-    TRY(SceneNodes nodes, walk_nodes(document_, primitives.accessors(), buffers, path_, warnings_));
+    Budget budget(how_.memory_bytes, path_);
+    Buffers buffers(document_, container, path_, warnings_, how_, budget);
+    Primitives primitives(document_, buffers, path_, warnings_, budget);
+    TRY(SceneNodes nodes, walk_nodes(document_, primitives.accessors(), budget, path_, warnings_));
     draws_ = std::move(nodes.draws);
     Skins skins(document_, primitives.accessors(), nodes.world, path_);
     GltfFile out;
@@ -171,29 +183,31 @@ Result<GltfFile> GltfReader::read() {
     for (const Draw& draw : draws_)
         for (const Primitive& p : document_.meshes[static_cast<std::size_t>(draw.mesh)].primitives)
             if (p.material >= 0) used[static_cast<std::size_t>(p.material)] = true;
-    looks_ = read_looks(document_, used, buffers, path_, warnings_, how_);
+    looks_ = read_looks(document_, used, buffers, path_, warnings_, how_, budget);
     out.material_ms = watch.milliseconds();
     watch.restart();
-    TRY_VOID(find_parts(primitives));
-    TRY_VOID(check_size());
+    TRY_VOID(find_meshes(primitives));
+    TRY_VOID(check_size(budget));
     note_what_moves();
     Flattener flattener(path_, warnings_);
     flattener.reserve(size_);
     std::uint64_t done = 0, told = 0;
-    for (const Part& part : parts_) {
-        if (done >= told) {
-            TRY_VOID(report(done));
-            told = done + kReportVertices;
+    for (const Draw& draw : draws_) {
+        for (const Part& part : meshes_[static_cast<std::size_t>(draw.mesh)]->parts) {
+            if (done >= told) {
+                TRY_VOID(report(done));
+                told = done + kReportVertices;
+            }
+            done += part.data.positions.count;
+            const Index material = part.data.material;
+            const bool plain = material < 0;
+            flattener.add(part.data, {draw.matrix, palette_of(draw, skins)},
+                          plain ? UvUse() : looks_.uv[static_cast<std::size_t>(material)],
+                          plain ? -1 : looks_.of[static_cast<std::size_t>(material)],
+                          {draw.mesh, part.primitive});
         }
-        done += part.data->positions.count;
-        const Draw& draw = draws_[part.draw];
-        const Index material = part.data->material;
-        const bool plain = material < 0;
-        flattener.add(*part.data, {draw.matrix, palette_of(draw, skins)},
-                      plain ? UvUse() : looks_.uv[static_cast<std::size_t>(material)],
-                      plain ? -1 : looks_.of[static_cast<std::size_t>(material)],
-                      {draw.mesh, part.primitive});
     }
+    TRY_VOID(report(done));
     out.skipped = skipped_ + flattener.skipped();
     out.polygons = flattener.take();
     const geom::PolygonMesh& m = out.polygons;

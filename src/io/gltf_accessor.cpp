@@ -96,7 +96,7 @@ Result<View> Accessors::sparse(Index accessor) {
     TRY(const View values, part(accessor, s.value_view, s.value_offset, s.count, a.component,
                                 a.rows, a.columns, false));
     const std::uint64_t size = element_bytes(a), stride = packed_bytes(a);
-    TRY_VOID(buffers_.take(a.count * stride, what));
+    TRY_VOID(budget_.take(a.count * stride, what));
     Bytes bytes(a.count * stride);
     for (std::uint64_t i = 0; i < a.count && a.view >= 0; ++i)
         std::memcpy(bytes.data() + i * stride, view.data + i * view.stride, size);

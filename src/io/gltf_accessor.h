@@ -29,8 +29,8 @@ struct View {
 
 class Accessors {
 public:
-    Accessors(const Document& document, Buffers& buffers, const std::string& path)
-        : document_(document), buffers_(buffers), path_(path) {}
+    Accessors(const Document& document, Buffers& buffers, const std::string& path, Budget& budget)
+        : document_(document), buffers_(buffers), path_(path), budget_(budget) {}
 
     // Fails (Exit::unreadable) with the accessor and the bytes that it lacks. The view is good as
     // long as this object. Matrices are their columns, one after the other.
@@ -45,6 +45,7 @@ private:
     const Document& document_;
     Buffers& buffers_;
     const std::string& path_;
+    Budget& budget_;
     std::map<Index, Bytes> sparse_;
 };
 

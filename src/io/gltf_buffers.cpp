@@ -11,19 +11,10 @@
 namespace scanout::io::gltf {
 
 Buffers::Buffers(const Document& document, const Container& container, const std::string& path,
-                 Warnings& warnings, const Reading& how)
+                 Warnings& warnings, const Reading& how, Budget& budget)
     : document_(document), container_(container), path_(path), folder_(folder_of(path)),
       warnings_(warnings), finder_(how.allow_outside ? FileFinder() : FileFinder(folder_)),
-      left_(how.memory_bytes), buffers_(document.buffers.size()), unpacked_(document.views.size()) {
-}
-
-Result<> Buffers::take(std::uint64_t bytes, std::string_view what) {
-    if (bytes > left_)
-        return fail(Exit::unreadable, "{}: {} takes {} bytes of memory, and {} may be taken", path_,
-                    what, bytes, left_);
-    left_ -= bytes;
-    return {};
-}
+      budget_(budget), buffers_(document.buffers.size()), unpacked_(document.views.size()) {}
 
 Result<std::string> Buffers::file_of_uri(const std::string& uri) {
     if (has_scheme(uri))
@@ -40,7 +31,8 @@ Result<std::string> Buffers::file_of_uri(const std::string& uri) {
 
 Result<> Buffers::load(Index index, Loaded& loaded) {
     const Buffer& buffer = document_.buffers[static_cast<std::size_t>(index)];
-    const auto place = [&] { return fmt::format("{}: buffers[{}]", path_, index); };
+    const std::string name = fmt::format("buffers[{}]", index);
+    const auto place = [&] { return fmt::format("{}: {}", path_, name); };
     if (!buffer.has_uri) {
         if (index != 0 || !container_.has_chunk)
             return fail(Exit::unreadable, "{} has neither a uri nor a chunk of a GLB file",
@@ -49,14 +41,14 @@ Result<> Buffers::load(Index index, Loaded& loaded) {
     } else if (is_data_uri(buffer.uri)) {
         auto data = data_of_uri(buffer.uri);
         if (!data) return fail(Exit::unreadable, "{}: its data URI cannot be read", place());
-        TRY_VOID(take(data->size(), place()));
+        TRY_VOID(budget_.take(data->size(), name));
         loaded.own = *std::move(data);
         loaded.bytes = loaded.own;
     } else {
         auto path = file_of_uri(buffer.uri);
         if (!path) return fail(Exit::unreadable, "{}: {}", place(), path.error().what);
         auto file = Mapping::open(
-            *path, [&](std::string_view, std::uint64_t size) { return take(size, place()); });
+            *path, [&](std::string_view, std::uint64_t size) { return budget_.take(size, name); });
         if (!file) return fail(Exit::unreadable, "{}: {}", place(), file.error().what);
         loaded.file = *std::move(file);
         const std::string_view text = loaded.file.text();
@@ -104,7 +96,7 @@ Result<ViewBytes> Buffers::view(Index index) {
         TRY(const ByteSpan bytes, part(index, packed.buffer, packed.offset, packed.bytes));
         const std::string place = fmt::format("{}: bufferViews[{}]", path_, index);
         TRY(const std::uint64_t size, meshopt_size(packed, place));
-        TRY_VOID(take(size, fmt::format("bufferViews[{}]", index)));
+        TRY_VOID(budget_.take(size, fmt::format("bufferViews[{}]", index)));
         TRY(unpacked_[number], unpack_meshopt(bytes, packed, size, place));
     }
     return ViewBytes{*unpacked_[number], packed.stride};

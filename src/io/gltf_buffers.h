@@ -6,6 +6,7 @@
 #include "base/result.h"
 #include "base/warnings.h"
 #include "io/find_file.h"
+#include "io/gltf_budget.h"
 #include "io/gltf_document.h"
 #include "io/gltf_uri.h"
 #include "io/text_parts.h"
@@ -39,8 +40,9 @@ struct ViewBytes {
 
 class Buffers {
 public:
+    // What is read into memory or unpacked there is charged to the budget.
     Buffers(const Document& document, const Container& container, const std::string& path,
-            Warnings& warnings, const Reading& how);
+            Warnings& warnings, const Reading& how, Budget& budget);
 
     // Errors (Exit::unreadable) name the buffer or the view, and its bytes.
     Result<ByteSpan> buffer(Index index);
@@ -52,9 +54,6 @@ public:
     Result<std::string> file_of_uri(const std::string& uri);
 
     std::uint64_t bytes_of_files() const { return bytes_of_files_; }
-
-    // Takes memory for what is unpacked; an error where it is more than is left.
-    Result<> take(std::uint64_t bytes, std::string_view what);
 
 private:
     struct Loaded {
@@ -73,7 +72,7 @@ private:
     std::string folder_;
     Warnings& warnings_;
     FileFinder finder_;
-    std::uint64_t left_; // of the memory that may be taken
+    Budget& budget_;
     std::uint64_t bytes_of_files_ = 0;
     std::vector<Loaded> buffers_;
     std::vector<std::optional<Bytes>> unpacked_; // of views with EXT_meshopt_compression

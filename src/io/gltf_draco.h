@@ -13,7 +13,7 @@
 namespace scanout::io::gltf {
 
 struct UnpackedDraco {
-    std::vector<std::uint32_t> indices; // three a triangle; none for points
+    std::vector<std::uint32_t> indices; // three a triangle
     std::uint64_t vertices = 0;
     // By attribute: as many elements as vertices, of the type that the accessor says.
     std::vector<std::pair<std::string, Bytes>> attributes;
@@ -22,9 +22,10 @@ struct UnpackedDraco {
     const View* find(std::string_view name) const;
 };
 
-// place: stands before messages (Exit::unreadable). Attributes without an accessor are left out.
+// An error (Exit::unreadable) names `what`, the primitive. Attributes without an accessor are left
+// out.
 Result<UnpackedDraco> unpack_draco(ByteSpan bytes, const Primitive& primitive,
-                                   const Document& document, Buffers& memory,
-                                   const std::string& place);
+                                   const Document& document, Budget& budget,
+                                   const std::string& path, const std::string& what);
 
 } // namespace scanout::io::gltf

@@ -58,15 +58,27 @@ void MeshSize::add(const PrimitiveData& p) {
     uvs += p.uvs ? count : 0;
     colours += p.colours ? count : 0;
     influences = std::max(influences, count * p.influences.size());
+    indices = std::max(indices, all);
     const std::uint64_t triangles = triangles_of(p.mode, all);
     faces += triangles;
     corners += p.mode < Mode::triangles ? all * 2 : triangles * 3;
 }
 
+void MeshSize::add(const MeshSize& o) {
+    vertices += o.vertices;
+    normals += o.normals;
+    uvs += o.uvs;
+    colours += o.colours;
+    corners += o.corners;
+    faces += o.faces;
+    influences = std::max(influences, o.influences);
+    indices = std::max(indices, o.indices);
+}
+
 std::uint64_t MeshSize::bytes() const {
     return vertices * sizeof(DVec3) + normals * sizeof(Vec3) + uvs * sizeof(DVec2) +
            (colours > 0 ? vertices : 0) * sizeof(Vec3) + corners * sizeof(geom::Corner) +
-           influences * 2 * sizeof(std::array<float, 4>) +
+           influences * 2 * sizeof(std::array<float, 4>) + indices * sizeof(std::uint32_t) +
            faces * (sizeof(std::uint32_t) + sizeof(std::int32_t));
 }
 

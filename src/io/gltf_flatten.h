@@ -20,8 +20,9 @@ inline constexpr std::uint64_t kMostCorners = 0x7fffffff;
 // What the elements of some primitives come to in a PolygonMesh.
 struct MeshSize {
     std::uint64_t vertices = 0, normals = 0, uvs = 0, colours = 0, corners = 0, faces = 0;
-    std::uint64_t influences = 0; // of the primitive that has most
+    std::uint64_t influences = 0, indices = 0; // of the primitive that has most
     void add(const PrimitiveData& primitive);
+    void add(const MeshSize& other);
     std::uint64_t bytes() const; // of memory
     bool fits() const;           // the mesh's indices
 };

@@ -14,7 +14,7 @@
 namespace scanout::io::gltf {
 namespace {
 
-constexpr double kMaxNumber = 1e6; // of emission
+constexpr double kMaxNumber = 1e6; // of emission, and how far a normal leans
 
 float clamped(double value, double most) {
     return value > kDarkest ? static_cast<float>(std::min(value, most)) : 0;
@@ -58,9 +58,9 @@ std::optional<Placement> placement(const UvUse& own, const UvUse& made) {
 class LookReader {
 public:
     LookReader(const Document& document, Buffers& buffers, const std::string& path,
-               Warnings& warnings, const Reading& how)
+               Warnings& warnings, const Reading& how, Budget& budget)
         : d_(document), path_(path), warnings_(warnings),
-          textures_(document, buffers, path, warnings, how) {}
+          textures_(document, buffers, path, warnings, how, budget) {}
 
     Looks read(const std::vector<bool>& used) {
         Looks out;
@@ -113,7 +113,10 @@ scene::Material LookReader::material(const MaterialInfo& m) {
         out.map_roughness = map(m.metallic_roughness, "metallicRoughnessTexture", Role::plain, 'g');
     if (*out.metalness > 0)
         out.map_metalness = map(m.metallic_roughness, "metallicRoughnessTexture", Role::plain, 'b');
-    out.map_normal = map(m.normal, "normalTexture", Role::leaning);
+    out.map_normal = map(m.normal, "normalTexture", Role::plain);
+    if (out.map_normal.given())
+        out.map_normal.edit().normal_scale =
+            static_cast<float>(std::clamp(m.normal.scale, -kMaxNumber, kMaxNumber));
     out.emission = colour_of(m.emissive.data(), m.emissive_strength, kMaxNumber);
     if (out.emission != Vec3(0))
         out.map_emission = map(m.emissive_texture, "emissiveTexture", Role::plain);
@@ -145,7 +148,7 @@ scene::MaterialMap LookReader::map(const TextureInfo& info, std::string_view nam
         out.wrap_u = sampler.wrap_s;
         out.wrap_v = sampler.wrap_t;
     }
-    out.texture = textures_.find(info.texture, role, role == Role::leaning ? info.scale : 1);
+    out.texture = textures_.find(info.texture, role);
     out.missing = out.texture < 0;
     return out;
 }
@@ -153,8 +156,8 @@ scene::MaterialMap LookReader::map(const TextureInfo& info, std::string_view nam
 } // namespace
 
 Looks read_looks(const Document& document, const std::vector<bool>& used, Buffers& buffers,
-                 const std::string& path, Warnings& warnings, const Reading& how) {
-    return LookReader(document, buffers, path, warnings, how).read(used);
+                 const std::string& path, Warnings& warnings, const Reading& how, Budget& budget) {
+    return LookReader(document, buffers, path, warnings, how, budget).read(used);
 }
 
 } // namespace scanout::io::gltf

@@ -31,6 +31,6 @@ struct Looks {
 
 // Never fails: a texture that cannot be read is a warning, and drawn plain. used: by material.
 Looks read_looks(const Document& document, const std::vector<bool>& used, Buffers& buffers,
-                 const std::string& path, Warnings& warnings, const Reading& how);
+                 const std::string& path, Warnings& warnings, const Reading& how, Budget& budget);
 
 } // namespace scanout::io::gltf

@@ -45,9 +45,9 @@ Result<std::vector<Index>> parents_of(const Document& d, const std::string& path
 
 class Walk {
 public:
-    Walk(const Document& document, Accessors& accessors, Buffers& memory, const std::string& path,
+    Walk(const Document& document, Accessors& accessors, Budget& budget, const std::string& path,
          Warnings& warnings)
-        : d_(document), accessors_(accessors), memory_(memory), path_(path), warnings_(warnings) {}
+        : d_(document), accessors_(accessors), budget_(budget), path_(path), warnings_(warnings) {}
 
     Result<SceneNodes> from(const std::vector<Index>& scene, const std::vector<Index>& roots) {
         out_.world.assign(d_.nodes.size(), DMat4(1));
@@ -98,13 +98,12 @@ private:
             return {};
         }
         auto places = instances(index);
-        if (!places && places.error().exit == Exit::unreadable) {
+        if (!places) {
             warnings_.add("glTF instances", fmt::format("{}; drawn once", places.error().what));
             out_.draws.push_back({index, node.mesh, matrix});
             return {};
         }
-        TRY(const std::vector<DMat4> all, std::move(places));
-        for (const DMat4& one : all)
+        for (const DMat4& one : *places)
             out_.draws.push_back({index, node.mesh, matrix * one});
         return {};
     }
@@ -119,7 +118,9 @@ private:
         };
         std::array<Part, 3> parts = {Part{"TRANSLATION", 3, {}}, Part{"ROTATION", 4, {}},
                                      Part{"SCALE", 3, {}}};
-        std::optional<std::uint64_t> count;
+        std::uint64_t all = ~std::uint64_t{0}; // attributes of another name count, too
+        for (const auto& [name, accessor] : node.instances)
+            all = std::min(all, d_.accessors[static_cast<std::size_t>(accessor)].count);
         for (Part& part : parts) {
             const Index accessor = find(node.instances, part.name);
             if (accessor < 0) continue;
@@ -128,13 +129,11 @@ private:
                 return fail(Exit::unreadable,
                             "{}: nodes[{}]: accessors[{}] has {} numbers an instance, {} has {}",
                             path_, index, accessor, part.view->rows, part.name, part.rows);
-            count = std::min(count.value_or(part.view->count), part.view->count);
         }
-        const std::uint64_t all = count.value_or(0);
         if (all > kMostInstances)
             return fail(Exit::unreadable, "{}: nodes[{}] has {} instances, {} at most are drawn",
                         path_, index, all, kMostInstances);
-        TRY_VOID(memory_.take(all * 2 * sizeof(Draw), fmt::format("nodes[{}]", index)));
+        TRY_VOID(budget_.take(all * 3 * sizeof(Draw), fmt::format("nodes[{}]", index)));
         struct Place {
             DVec3 translation{0}, scale{1};
             std::array<double, 4> rotation{0, 0, 0, 1};
@@ -161,7 +160,7 @@ private:
 
     const Document& d_;
     Accessors& accessors_;
-    Buffers& memory_;
+    Budget& budget_;
     const std::string& path_;
     Warnings& warnings_;
     SceneNodes out_;
@@ -169,13 +168,13 @@ private:
 
 } // namespace
 
-Result<SceneNodes> walk_nodes(const Document& d, Accessors& accessors, Buffers& memory,
+Result<SceneNodes> walk_nodes(const Document& d, Accessors& accessors, Budget& budget,
                               const std::string& path, Warnings& warnings) {
     TRY(const std::vector<Index> parents, parents_of(d, path));
     std::vector<Index> roots;
     for (std::size_t i = 0; i < parents.size(); ++i)
         if (parents[i] < 0) roots.push_back(static_cast<Index>(i));
-    Walk walk(d, accessors, memory, path, warnings);
+    Walk walk(d, accessors, budget, path, warnings);
     const auto scene = static_cast<std::size_t>(std::max(d.scene, 0));
     return walk.from(d.scenes.empty() ? roots : d.scenes[scene], roots);
 }

@@ -22,7 +22,7 @@ struct SceneNodes {
 
 // Without a scene every node that is no child is a root. A cycle, or a node with two parents, is an
 // error (Exit::unreadable) that names it.
-Result<SceneNodes> walk_nodes(const Document& document, Accessors& accessors, Buffers& memory,
+Result<SceneNodes> walk_nodes(const Document& document, Accessors& accessors, Budget& budget,
                               const std::string& path, Warnings& warnings);
 
 } // namespace scanout::io::gltf

@@ -14,12 +14,13 @@ Result<const UnpackedDraco*> Primitives::draco(Index mesh, std::size_t number) {
     const auto key = std::pair(mesh, number);
     auto known = draco_.find(key);
     if (known == draco_.end()) {
-        const std::string place = fmt::format("{}: meshes[{}].primitives[{}]", path_, mesh, number);
+        const std::string what = fmt::format("meshes[{}].primitives[{}]", mesh, number);
         const auto unpack = [&]() -> Result<UnpackedDraco> {
             if (p.draco->view < 0)
-                return fail(Exit::unreadable, "{}: its Draco data names no buffer view", place);
+                return fail(Exit::unreadable, "{}: {}: its Draco data names no buffer view", path_,
+                            what);
             TRY(const ViewBytes bytes, buffers_.view(p.draco->view));
-            return unpack_draco(bytes.bytes, p, document_, buffers_, place);
+            return unpack_draco(bytes.bytes, p, document_, budget_, path_, what);
         };
         known = draco_.emplace(key, unpack()).first;
     }

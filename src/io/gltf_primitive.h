@@ -39,9 +39,9 @@ struct PrimitiveData {
 class Primitives {
 public:
     Primitives(const Document& document, Buffers& buffers, const std::string& path,
-               Warnings& warnings)
-        : document_(document), buffers_(buffers), accessors_(document, buffers, path), path_(path),
-          warnings_(warnings) {}
+               Warnings& warnings, Budget& budget)
+        : document_(document), buffers_(buffers), accessors_(document, buffers, path, budget),
+          path_(path), warnings_(warnings), budget_(budget) {}
 
     // uv_set: which TEXCOORD_n. Fails (Exit::unreadable) where positions or indices are not there;
     // other attributes that are not are warnings, and none. Views are good as long as this object.
@@ -60,6 +60,7 @@ private:
     Accessors accessors_;
     const std::string& path_;
     Warnings& warnings_;
+    Budget& budget_;
     std::map<std::pair<Index, std::size_t>, Result<UnpackedDraco>> draco_;
 };
 

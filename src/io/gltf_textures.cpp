@@ -14,23 +14,6 @@ namespace {
 
 constexpr std::size_t kTextureWarnings = 20; // told one by one, the rest together
 
-void lean(image::Image& image, double scale) {
-    const auto scaled = [&](std::uint8_t code) {
-        const double leant = 128 + (code - 128.0) * scale;
-        return static_cast<std::uint8_t>(std::clamp(leant, 0.0, 255.0) + 0.5);
-    };
-    for (image::Rgba8& p : image.pixels()) {
-        p.r = scaled(p.r);
-        p.g = scaled(p.g);
-    }
-}
-
-bool is_opaque(const image::Image& image) {
-    const auto pixels = image.pixels();
-    return std::all_of(pixels.begin(), pixels.end(),
-                       [](const image::Rgba8& p) { return p.a == 255; });
-}
-
 } // namespace
 
 std::string Textures::name_of(Index texture) const {
@@ -44,7 +27,7 @@ Result<image::Image> Textures::decode(Index index, std::string& name) {
     const ImageSource& source = document_.images[static_cast<std::size_t>(index)];
     image::DecodeLimits limits;
     limits.max_pixels =
-        std::min(limits.max_pixels, static_cast<std::int64_t>(bytes_left_ / sizeof(image::Rgba8)));
+        std::min(limits.max_pixels, static_cast<std::int64_t>(room() / sizeof(image::Rgba8)));
     const std::string place = fmt::format("{}: images[{}]", path_, index);
     if (source.view >= 0) {
         TRY(const ViewBytes bytes, buffers_.view(source.view));
@@ -65,39 +48,54 @@ Result<image::Image> Textures::decode(Index index, std::string& name) {
     return image;
 }
 
+std::int32_t Textures::refuse(Index image, std::string_view why) {
+    const bool alone = ++faults_ <= kTextureWarnings;
+    warnings_.add(alone ? fmt::format("glTF image {}", image) : "more textures",
+                  fmt::format("{}; drawn plain", why));
+    return -1;
+}
+
+void Textures::charge(std::uint64_t bytes) {
+    budget_.try_take(bytes);
+    bytes_left_ -= bytes;
+    bytes_ += bytes;
+}
+
 std::int32_t Textures::load(Index index) {
     std::string name = fmt::format("images[{}]", index);
     auto image = decode(index, name);
-    if (!image) {
-        const bool alone = ++faults_ <= kTextureWarnings;
-        warnings_.add(alone ? fmt::format("glTF image {}", index) : "more textures",
-                      fmt::format("{}; drawn plain", image.error().what));
-        return -1;
-    }
-    const std::uint64_t bytes = image->pixels().size_bytes();
-    bytes_left_ -= std::min(bytes, bytes_left_);
-    bytes_ += bytes;
+    if (!image) return refuse(index, image.error().what);
+    charge(image->pixels().size_bytes());
     out_.push_back({name, *std::move(image)});
     return static_cast<std::int32_t>(out_.size()) - 1;
 }
 
-std::int32_t Textures::made_of(std::int32_t plain, Role role, double scale) {
+// A copy, where the role changes a texel.
+std::int32_t Textures::made_of(std::int32_t plain, Role role) {
     const scene::Texture& given = out_[static_cast<std::size_t>(plain)];
-    if (role == Role::plain || (role == Role::leaning && scale == 1)) return plain;
-    if (role == Role::opaque && is_opaque(given.image)) return plain;
+    const auto pixels = given.image.pixels();
+    const auto has_alpha = [&](bool (*is)(const image::Rgba8&)) {
+        return std::any_of(pixels.begin(), pixels.end(), is);
+    };
+    const bool changes =
+        role == Role::opaque ? has_alpha([](const image::Rgba8& p) { return p.a != 255; })
+        : role == Role::cut  ? has_alpha([](const image::Rgba8& p) { return p.a == 0; })
+                             : false;
+    if (!changes) return plain;
+    if (pixels.size_bytes() > room()) return -1;
     scene::Texture made = given;
-    if (role == Role::opaque)
+    if (role == Role::opaque) {
         for (image::Rgba8& p : made.image.pixels())
             p.a = 255;
-    else if (role == Role::leaning)
-        lean(made.image, scale);
-    else if (!fill_hidden_colours(made.image))
+    } else if (!fill_hidden_colours(made.image)) {
         return plain;
+    }
+    charge(pixels.size_bytes());
     out_.push_back(std::move(made));
     return static_cast<std::int32_t>(out_.size()) - 1;
 }
 
-std::int32_t Textures::find(Index texture, Role role, double scale) {
+std::int32_t Textures::find(Index texture, Role role) {
     const Index image = document_.textures[static_cast<std::size_t>(texture)].image;
     if (image < 0) {
         warnings_.add(fmt::format("glTF texture {}", texture),
@@ -105,12 +103,17 @@ std::int32_t Textures::find(Index texture, Role role, double scale) {
                                   path_, texture));
         return -1;
     }
-    const auto [plain, first] = known_.try_emplace({image, Role::plain, 1}, -1);
+    const auto [plain, first] = known_.try_emplace({image, Role::plain}, -1);
     if (first) plain->second = load(image);
     const std::int32_t loaded = plain->second;
     if (loaded < 0) return -1;
-    const auto [known, is_new] = known_.try_emplace({image, role, scale}, loaded);
-    if (is_new) known->second = made_of(loaded, role, scale);
+    const auto [known, is_new] = known_.try_emplace({image, role}, loaded);
+    if (is_new) {
+        known->second = made_of(loaded, role);
+        if (known->second < 0)
+            refuse(image,
+                   fmt::format("{}: images[{}] takes more memory than textures may", path_, image));
+    }
     return known->second;
 }
 

@@ -67,6 +67,7 @@ void add(const TextureMap& map, ContentHasher& hash) {
                 map.boost, map.base, map.gain, map.bump_multiplier, map.offset, map.scale,
                 map.turbulence, map.resolution, map.channel);
     hash.text(map.reflection_type);
+    if (map.normal_scale != 1) hash.value(map.normal_scale);
     if (map.wrap_u != Wrap::repeat || map.wrap_v != Wrap::repeat)
         hash.values(static_cast<int>(map.wrap_u), static_cast<int>(map.wrap_v));
 }

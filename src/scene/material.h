@@ -28,6 +28,7 @@ struct TextureMap {
     Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
     bool blend_u = true, blend_v = true, colour_correction = false;
     float boost = 0, base = 0, gain = 1, bump_multiplier = 1;
+    float normal_scale = 1; // glTF: of a normal map's x and y
     Vec3 offset{0}, scale{1}, turbulence{0};
     int resolution = 0;
     char channel = 0; // r g b m l z, 0: not given

@@ -276,8 +276,10 @@ void World::lean_by_maps(DVec3& normal, const Hit& hit, const scene::Material& m
     if (reads(look_->maps.normal, m.map_normal)) {
         const DVec4 t = sampled(hit, m.map_normal, false);
         constexpr double kMiddle = 128.0 / 255;
-        const DVec3 given((t.x - kMiddle) * (m.map_normal->scale.x < 0 ? -1 : 1),
-                          (t.y - kMiddle) * (m.map_normal->scale.y < 0 ? -1 : 1),
+        const scene::TextureMap& map = *m.map_normal;
+        const double leaning = map.normal_scale;
+        const DVec3 given((t.x - kMiddle) * (map.scale.x < 0 ? -leaning : leaning),
+                          (t.y - kMiddle) * (map.scale.y < 0 ? -leaning : leaning),
                           std::max(t.z - kMiddle, 0.0));
         lean(normal, hit, given);
     }

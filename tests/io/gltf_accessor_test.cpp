@@ -148,7 +148,7 @@ TEST(GltfAccessor, ManyZerosAreRefusedBeforeMemoryIsTaken) {
     how.memory_bytes = 1'000'000'000;
     EXPECT_EQ(
         read_gltf_file(b.glb(), "a.glb", how).error(),
-        "a.glb: its scene has 400000000 vertices and 133333333 triangles, which take 15466 MB "
+        "a.glb: its scene has 400000000 vertices and 133333333 triangles, which take 34133 MB "
         "of memory, and 1000 MB are available: close other programs, or cut the model into "
         "parts");
     GltfBuilder more;

@@ -114,9 +114,39 @@ TEST(GltfMaterial, EveryMapHasItsRoleAndChannel) {
     EXPECT_EQ(m.map_metalness->channel, 'b');
     EXPECT_GE(m.map_emission.texture(), 0);
     EXPECT_EQ(m.map_emission.texture(), m.map_roughness.texture()); // decoded once
-    const auto normal = static_cast<std::size_t>(m.map_normal.texture());
-    EXPECT_EQ(r.result->textures[normal].image.at(0, 0).r, 192); // 255, leaning half as far
+    EXPECT_EQ(m.map_normal.texture(), m.map_roughness.texture());   // whatever its scale
+    EXPECT_EQ(m.map_normal->normal_scale, 0.5F);
     EXPECT_EQ(m.map_diffuse->path, "images[0]");
+}
+
+// Each role's copy of a picture is charged, and made once.
+TEST(GltfMaterial, CopiesOfAPictureAreChargedToTheTextures) {
+    const auto with_maps = [](std::uint64_t texture_bytes) {
+        Image picture(8, 8, {255, 0, 0, 255});
+        picture.at(0, 0).a = 0;
+        GltfBuilder b = textured(
+            R"({"emissiveTexture":{"index":0},"emissiveFactor":[1,1,1]},)"
+            R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}},)"
+            R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}},)"
+            R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}},"alphaMode":"MASK"})",
+            picture);
+        for (int i = 1; i < 4; ++i)
+            b.primitive(
+                fmt::format(R"("material":{},"attributes":{{"POSITION":0,"TEXCOORD_0":1}})", i));
+        Reading how;
+        how.texture_bytes = texture_bytes;
+        return read_gltf_file(b.glb(), "a.glb", how);
+    };
+    const GltfRead all = with_maps(3 * 256);
+    ASSERT_TRUE(all.result) << all.error();
+    EXPECT_EQ(all.warnings, "");
+    EXPECT_EQ(all.result->textures.size(), 3u);
+    EXPECT_EQ(all.result->bytes, 3 * 256u);
+    const GltfRead two = with_maps(3 * 256 - 1);
+    ASSERT_TRUE(two.result) << two.error();
+    EXPECT_EQ(two.warnings, "a.glb: images[0] takes more memory than textures may; drawn plain");
+    EXPECT_EQ(two.result->textures.size(), 2u);
+    EXPECT_TRUE(two.result->materials[3].map_diffuse->missing);
 }
 
 TEST(GltfMaterial, SamplersSayWhatLiesBeyondTheEdges) {

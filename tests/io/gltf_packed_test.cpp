@@ -14,6 +14,7 @@
 #pragma GCC diagnostic ignored "-Wshadow"
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
+#include <draco/point_cloud/point_cloud_builder.h>
 #pragma GCC diagnostic pop
 
 namespace scanout::io {
@@ -187,7 +188,8 @@ Draco draco_square() {
             static_cast<int>(mesh->attribute(uv)->unique_id())};
 }
 
-GltfRead read_draco(const std::string& bytes, const Draco& ids, bool attributes = true) {
+GltfRead read_draco(const std::string& bytes, const Draco& ids, bool attributes = true,
+                    const Reading& how = {}) {
     GltfBuilder b;
     const int view = b.view(bytes);
     b.accessors = {R"({"componentType":5126,"type":"VEC3","count":4})",
@@ -199,7 +201,7 @@ GltfRead read_draco(const std::string& bytes, const Draco& ids, bool attributes 
         view,
         attributes ? fmt::format(R"("POSITION":{},"TEXCOORD_0":{},"X":0)", ids.position, ids.uv)
                    : ""));
-    return read_gltf_file(b.glb());
+    return read_gltf_file(b.glb(), "a.glb", how);
 }
 
 TEST(GltfDraco, APackedMeshIsUnpacked) {
@@ -228,6 +230,41 @@ TEST(GltfDraco, WhatIsDamagedIsToldAndNotDrawn) {
               "a.glb: meshes[0].primitives[0]: its KHR_draco_mesh_compression is damaged");
     EXPECT_EQ(read_draco("no Draco", square).error(),
               "a.glb: meshes[0].primitives[0]: its KHR_draco_mesh_compression is damaged");
+}
+
+// Draco makes room for what its head says before it has read a face.
+TEST(GltfDraco, ManyFacesAreRefusedBeforeMemoryIsTaken) {
+    const Draco square = draco_square();
+    const std::string million = "\xc0\x84\x3d"; // 1000000, seven bits a byte, the lowest first
+    const std::string mesh = std::string("DRACO\2\2\1\1\0\0\0", 12);
+    Reading how;
+    how.memory_bytes = 90'000'000;
+    EXPECT_EQ(read_draco(mesh + million + million, square, true, how).error(),
+              "a.glb: meshes[0].primitives[0] takes 96000000 bytes of memory, and 90000000 may be "
+              "taken");
+    how.memory_bytes = 100'000'000;
+    EXPECT_THAT(read_draco(mesh + million + million, square, true, how).error(),
+                HasSubstr("is damaged"));
+    // What it took is given back: a mesh that is read leaves room for its triangles alone.
+    how.memory_bytes = 1500;
+    EXPECT_TRUE(read_draco(square.bytes, square, true, how).result);
+}
+
+// The extension holds meshes alone (Khronos 2018).
+TEST(GltfDraco, APointCloudIsRefused) {
+    draco::PointCloudBuilder builder;
+    builder.Start(3);
+    const int position =
+        builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const float p[3] = {i == 1 ? 1.0F : 0.0F, i == 2 ? 1.0F : 0.0F, 0};
+        builder.SetAttributeValueForPoint(position, draco::PointIndex(i), p);
+    }
+    const auto cloud = builder.Finalize(false);
+    draco::Encoder encoder;
+    draco::EncoderBuffer buffer;
+    ASSERT_TRUE(encoder.EncodePointCloudToBuffer(*cloud, &buffer).ok());
+    EXPECT_THAT(read_draco({buffer.data(), buffer.size()}, {}).error(), HasSubstr("is damaged"));
 }
 
 } // namespace

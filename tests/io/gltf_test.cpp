@@ -1,4 +1,5 @@
 // glTF files whole: containers, nodes, modes, bad structure. Khronos 2021.
+#include "base/memory.h"
 #include "folder.h"
 #include "gltf_file.h"
 #include "io/formats.h"
@@ -280,6 +281,17 @@ TEST(Gltf, InstancesOfANodeAreDrawnEach) {
     ASSERT_TRUE(r.result) << r.error();
     EXPECT_EQ(r.mesh().faces(), 2u);
     EXPECT_EQ(r.mesh().positions[4], DVec3(5, 0, 7));
+    // Instances may have none but attributes of the file's own; the shortest says how many.
+    b.accessors.emplace_back(R"({"componentType":5126,"type":"SCALAR","count":3})");
+    for (const auto& [attributes, count] :
+         {std::pair(R"("_ID":3)", 3u), {R"("_ID":3,"TRANSLATION":1)", 2u}}) {
+        b.nodes = fmt::format(R"({{"mesh":0,"extensions":{{"EXT_mesh_gpu_instancing":)"
+                              R"({{"attributes":{{{}}}}}}}}})",
+                              attributes);
+        const GltfRead own = read_gltf_file(b.glb());
+        ASSERT_TRUE(own.result) << own.error();
+        EXPECT_EQ(own.mesh().faces(), count);
+    }
     b.nodes = fmt::format(R"({{"mesh":0,"extensions":{{"EXT_mesh_gpu_instancing":)"
                           R"({{"attributes":{{"ROTATION":{}}}}}}}}})",
                           move);
@@ -378,6 +390,51 @@ TEST(Gltf, APrimitiveThatCannotBeUsedIsToldAndTheRestIsDrawn) {
     EXPECT_EQ(read_gltf_file(flat.glb()).error(),
               "a.glb: meshes[0].primitives[0]: accessors[0] gives "
               "no three numbers a position: left out");
+}
+
+// A thousand million places of nothing take neither time nor memory.
+TEST(Gltf, PrimitivesWithoutVerticesAreLeftOutOfEveryPlace) {
+    GltfBuilder b = one_triangle();
+    b.accessors.emplace_back(R"({"componentType":5126,"type":"VEC3","count":0})");
+    b.accessors.emplace_back(R"({"componentType":5126,"type":"VEC3","count":100000})");
+    for (int i = 0; i < 10000; ++i)
+        b.primitive(R"("attributes":{"POSITION":1})");
+    b.nodes = R"({"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":)"
+              R"({"attributes":{"TRANSLATION":2}}}})";
+    const std::uint64_t before = peak_resident_bytes();
+    const GltfRead r = read_gltf_file(b.glb());
+    ASSERT_TRUE(r.result) << r.error();
+    EXPECT_EQ(r.mesh().faces(), 100'000u);
+    EXPECT_LT(peak_resident_bytes() - before, 200'000'000u);
+}
+
+// The last part is watched, too, and what reading takes beside the mesh is charged to one account.
+TEST(Gltf, MemoryIsWatchedToTheEnd) {
+    const GltfBuilder b = one_triangle();
+    Warnings warnings;
+    std::vector<double> told;
+    ASSERT_TRUE(read_gltf(b.glb(), "a.glb", warnings, [&](double done) {
+        told.push_back(done);
+        return true;
+    }));
+    EXPECT_EQ(told.back(), 1);
+    EXPECT_GE(told.size(), 3u); // and before the first vertex
+    Reading how;
+    how.memory_bytes = 2 * (3 * 24 + 3 * 12 + 3 * 4 + 8);
+    EXPECT_TRUE(read_gltf_file(b.glb(), "a.glb", how).result);
+    --how.memory_bytes;
+    EXPECT_THAT(read_gltf_file(b.glb(), "a.glb", how).error(),
+                HasSubstr("1 triangles, which take"));
+    // Vertices that are not in the chunk are taken from the same account.
+    GltfBuilder sparse = b;
+    sparse.accessors[0] +=
+        R"(,"sparse":{"count":0,"indices":{"bufferView":0,"componentType":5123},)"
+        R"("values":{"bufferView":0}}})";
+    sparse.accessors[0].erase(sparse.accessors[0].find("},\"sparse"), 1);
+    ++how.memory_bytes;
+    EXPECT_THAT(read_gltf_file(sparse.glb(), "a.glb", how).error(), HasSubstr("which take"));
+    how.memory_bytes += 3 * 12;
+    EXPECT_TRUE(read_gltf_file(sparse.glb(), "a.glb", how).result);
 }
 
 TEST(Gltf, AttributesThatDoNotFitAreLeftOut) {

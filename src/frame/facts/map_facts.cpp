@@ -145,8 +145,9 @@ bool MapFacts::matters(const scene::Material& m, shade::Map map) const {
     case shade::kEmissionMap:
         return darkened(m.emission, texels->min);
     case shade::kNormalMap: // red and green of 128: no slope
-        return lit && !(texels->min[0] == 128 && texels->max[0] == 128 && texels->min[1] == 128 &&
-                        texels->max[1] == 128);
+        return lit && m.map_normal->normal_scale != 0 &&
+               !(texels->min[0] == 128 && texels->max[0] == 128 && texels->min[1] == 128 &&
+                 texels->max[1] == 128);
     case shade::kBumpMap:
         return lit && texels->min != texels->max && m.map_bump->bump_multiplier != 0;
     case shade::kSpecularMap:

@@ -14,7 +14,9 @@ void normal_run(ShadingBlock& b, const FrameState& frame) {
     write_tangents(b, frame);
     const scene::TextureMap& map = *b.map[kNormalMap].map;
     // A negative scale mirrors the texture in u or v, and its normals with it.
-    const F32 along_u = map.scale.x < 0 ? -1.0F : 1.0F, along_v = map.scale.y < 0 ? -1.0F : 1.0F;
+    const float leaning = map.normal_scale;
+    const F32 along_u = map.scale.x < 0 ? -leaning : leaning,
+              along_v = map.scale.y < 0 ? -leaning : leaning;
     const F32 middle = 128.0F / 255.0F;
     for (int i = 0; i < b.count; i += kLanes) {
         const Vec3F32 given = {(load<F32>(b.sampled[0] + i) - middle) * along_u,
