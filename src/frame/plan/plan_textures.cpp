@@ -89,7 +89,7 @@ Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& fact
                    maps == 0      ? "no texture is read"
                    : mirrored > 0 ? fmt::format("{} of {} maps are clamped, {} mirrored", clamped,
                                                 maps, mirrored)
-                                  : fmt::format("{} of {} maps say -clamp on", clamped, maps),
+                                  : fmt::format("{} of {} maps are clamped", clamped, maps),
                    maps > 0);
     return {};
 }
