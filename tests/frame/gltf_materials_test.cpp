@@ -31,6 +31,29 @@ TEST(GltfMaterials, AnUnlitSurfaceHasItsVertexColoursAndTexture) {
               (image::Rgba8{188, 0, 188, 255}));
 }
 
+TEST(GltfMaterials, WhereAllIsUnlitNothingIsLit) {
+    Shot s = wrapped_square("unlit", "auto");
+    s.scene.textures = {{"grey", image::Image(1, 1, {188, 188, 188, 255})}};
+    scene::Material& material = s.scene.materials[0];
+    const auto planned = [&] { return *frame::plan(s.options, frame::facts(s.scene)); };
+    EXPECT_TRUE(planned().decision("directional_light")->on());
+    material.unlit = true;
+    const std::string why = "nothing is lit: every material is unlit";
+    for (const char* effect : {"directional_light", "two_sided", "shadow", "shading"}) {
+        EXPECT_FALSE(planned().decision(effect)->on()) << effect;
+        EXPECT_EQ(planned().decision(effect)->because, why);
+    }
+    EXPECT_FALSE(planned().decision("highlight")->on());
+    EXPECT_TRUE(planned().decision("texture")->on());
+    const image::Image lit = draw(s);
+    s.options.lights.clear(); // its texture needs none
+    EXPECT_TRUE(planned().decision("texture")->on());
+    EXPECT_EQ(draw(s).at(s.options.width / 2, s.options.height / 2),
+              lit.at(s.options.width / 2, s.options.height / 2));
+    s.options.effects = {{"emission", false}}; // then it is a surface like others
+    EXPECT_NE(planned().decision("shading")->because, why);
+}
+
 // Alpha 150 of 255 everywhere, which neither blends nor asks --alpha-cut.
 TEST(GltfMaterials, ACutOfItsOwnDecidesWhole) {
     Shot s = wrapped_square("cut", "auto");

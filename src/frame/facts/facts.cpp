@@ -105,6 +105,7 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
     for (TexturedSurface& surface : facts.textured_surfaces)
         surface.constant = maps.constant(surface.texture.texture);
     const Census census(scene);
+    facts.unlit_triangles = census.count([](const scene::Material& m) { return m.unlit; });
     facts.specular_triangles = census.count(
         facts.materials_of, "highlight", [&](const scene::Material& m) { return maps.shines(m); });
     SceneFacts::ByKs& by_ks = facts.by_ks;

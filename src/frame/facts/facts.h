@@ -29,6 +29,7 @@ struct SceneFacts {
     int exponent = 0;                          // file units = normalised * 2^exponent
     DVec3 box_size{0};                         // of the bounding box, file units
     double radius = 0.5;                       // of the framing sphere: they place lights
+    std::size_t unlit_triangles = 0;           // no light changes their material
     std::size_t specular_triangles = 0;        // material has a highlight, after its maps
     std::size_t physical_triangles = 0;        // their material states a roughness or metalness
     std::optional<std::int32_t> only_material; // of all primitives, where all are triangles

@@ -171,6 +171,10 @@ void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts, cons
 
 const char* why_unlit(const FramePlan& plan, const SceneFacts& facts) {
     if (facts.triangles == 0) return "nothing is lit: there are no triangles";
+    const auto emission = plan.options.effects.find("emission"); // off, it lights the unlit, too
+    const bool as_lit = emission != plan.options.effects.end() && !emission->second;
+    if (facts.unlit_triangles == facts.triangles && !as_lit)
+        return "nothing is lit: every material is unlit";
     if (!some_light_shines(plan.options)) return kNoLight;
     if (facts.specular_triangles > 0) return nullptr;
     if (facts.brightest <= 0) return "nothing reflects light: Kd and Ks are black everywhere";

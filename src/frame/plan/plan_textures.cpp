@@ -136,8 +136,8 @@ Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& f
     plan.lacks_uv = !coordinates && facts.readable_maps != 0;
     const bool readable =
         textured > 0 || (facts.readable_maps & shade::bit_of(shade::kDiffuseMap)) != 0;
-    const bool lit = some_light_shines(options);
-    const bool pictures = coordinates && textured > 0 && lit;
+    const bool seen = some_light_shines(options) || facts.unlit_triangles > 0;
+    const bool pictures = coordinates && textured > 0 && seen;
     const Technique& filter =
         row_or(shade::texture::kRows, options.texture, shade::texture::bilinear).card;
     const bool on = planner.effect(
@@ -211,10 +211,10 @@ void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
             (facts.readable_maps & shade::bit_of(row.map)) != 0)
             planner.stage(row.stage);
     }
-    const bool emission =
-        planner.effect("emission", "on", facts.emitting_triangles > 0,
-                       fmt::format("{} of {} triangles have Ke above 0, with map_Ke",
-                                   facts.emitting_triangles, facts.triangles));
+    const bool emission = planner.effect(
+        "emission", "on", facts.emitting_triangles > 0,
+        fmt::format("{} of {} triangles have Ke above 0, with map_Ke{}", facts.emitting_triangles,
+                    facts.triangles, facts.unlit_triangles > 0 ? ", or are unlit" : ""));
     if (!emission || facts.emitting_triangles == 0) return;
     planner.stage(shade::map::emission);
     if (coordinates && facts.mapped_triangles[shade::kEmissionMap] > 0)
