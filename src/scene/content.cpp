@@ -24,7 +24,7 @@ public:
     }
     template <class T>
     void value(const T& one) {
-        static_assert(std::is_arithmetic_v<T> || std::is_same_v<T, Vec3> ||
+        static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, Vec3> ||
                       std::is_same_v<T, DVec3>);
         hasher_.add(std::as_bytes(std::span(&one, 1)));
     }
@@ -63,13 +63,11 @@ void add(const geom::Mesh& mesh, ContentHasher& hash) {
 }
 
 void add(const TextureMap& map, ContentHasher& hash) {
-    hash.values(map.texture, map.blend_u, map.blend_v, map.clamps(), map.colour_correction,
-                map.boost, map.base, map.gain, map.bump_multiplier, map.offset, map.scale,
-                map.turbulence, map.resolution, map.channel);
+    hash.values(map.texture, map.blend_u, map.blend_v, map.wrap_u, map.wrap_v,
+                map.colour_correction, map.boost, map.base, map.gain, map.bump_multiplier,
+                map.offset, map.scale, map.turbulence, map.resolution, map.channel);
     hash.text(map.reflection_type);
-    if (map.normal_scale != 1) hash.value(map.normal_scale);
-    if (map.wrap_u != Wrap::repeat || map.wrap_v != Wrap::repeat)
-        hash.values(static_cast<int>(map.wrap_u), static_cast<int>(map.wrap_v));
+    hash.value(map.normal_scale);
 }
 
 void add(const Material& m, ContentHasher& hash) {
@@ -77,8 +75,8 @@ void add(const Material& m, ContentHasher& hash) {
                 m.emission, m.refraction, m.illumination);
     hash.optional(m.roughness);
     hash.optional(m.metalness);
-    if (m.unlit) hash.value(m.unlit);
-    if (m.alpha_cut) hash.optional(m.alpha_cut);
+    hash.value(m.unlit);
+    hash.optional(m.alpha_cut);
     for (const NamedMap& row : kTextureMaps)
         add(*(m.*row.map), hash);
 }

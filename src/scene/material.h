@@ -34,7 +34,6 @@ struct TextureMap {
     char channel = 0; // r g b m l z, 0: not given
     std::string reflection_type;
     bool given() const { return !path.empty(); }
-    bool clamps() const { return wrap_u == Wrap::clamp && wrap_v == Wrap::clamp; } // -clamp on
 };
 
 // A map that a material may have. Most have few of the thirteen, so only a given one takes memory.

@@ -373,7 +373,7 @@ TEST(Textures, AMapBumpOfNormalsIsANormalMap) {
     const std::vector<scene::Material>& m = l.materials.materials;
     ASSERT_EQ(m.size(), 2u);
     EXPECT_GE(m[0].map_normal->texture, 0);
-    EXPECT_TRUE(m[0].map_normal->clamps());
+    EXPECT_EQ(m[0].map_normal->wrap_v, scene::Wrap::clamp);
     EXPECT_EQ(m[0].map_bump->texture, -1);
     EXPECT_EQ(m[1].map_normal->texture, -1);
     EXPECT_GE(m[1].map_bump->texture, 0);

@@ -117,7 +117,8 @@ TEST(Mtl, MapsKeepTheirOptionsAndTheirNames) {
     EXPECT_EQ(kd.offset, Vec3(0.1f, 0, 0));
     EXPECT_EQ(kd.scale, Vec3(2, 3, 1));
     EXPECT_EQ(kd.turbulence, Vec3(1, 2, 3));
-    EXPECT_TRUE(kd.clamps() && kd.colour_correction && !kd.blend_u && !kd.blend_v);
+    EXPECT_TRUE(kd.wrap_u == scene::Wrap::clamp && kd.wrap_v == scene::Wrap::clamp &&
+                kd.colour_correction && !kd.blend_u && !kd.blend_v);
     EXPECT_EQ(kd.base, 0.1f);
     EXPECT_EQ(kd.gain, 0.3f);
     EXPECT_EQ(kd.boost, 2);
@@ -164,7 +165,7 @@ TEST(Mtl, OptionsThatAreNotKnownAreLeftOutInOneLine) {
         read_one("map_Kd -s 2 -unknown 3 4 -clamp on -other a.png\nmap_Ks -new b.png");
     EXPECT_EQ(r.first().map_diffuse->path, "a.png");
     EXPECT_EQ(r.first().map_diffuse->scale.x, 2);
-    EXPECT_TRUE(r.first().map_diffuse->clamps());
+    EXPECT_EQ(r.first().map_diffuse->wrap_u, scene::Wrap::clamp);
     EXPECT_EQ(r.first().map_specular->path, "b.png");
     EXPECT_TRUE(warned(r.warnings, {"x.mtl:2: an option of a map is not known", "2 more"}))
         << all_lines(r.warnings);
