@@ -45,6 +45,17 @@ int hex_value(char c) {
     return -1;
 }
 
+std::string_view without_comment(std::string_view name) {
+    const std::size_t mark = name.find(" #");
+    if (mark == std::string_view::npos) return name;
+    name = name.substr(0, mark);
+    while (!name.empty() && (name.back() == ' ' || name.back() == '\t'))
+        name.remove_suffix(1);
+    return name;
+}
+
+} // namespace
+
 std::string percent_decoded(std::string_view name) {
     std::string out;
     for (std::size_t i = 0; i < name.size(); ++i) {
@@ -59,17 +70,6 @@ std::string percent_decoded(std::string_view name) {
     }
     return out;
 }
-
-std::string_view without_comment(std::string_view name) {
-    const std::size_t mark = name.find(" #");
-    if (mark == std::string_view::npos) return name;
-    name = name.substr(0, mark);
-    while (!name.empty() && (name.back() == ' ' || name.back() == '\t'))
-        name.remove_suffix(1);
-    return name;
-}
-
-} // namespace
 
 std::string folded(std::string_view name) {
     if (auto text = composed(name)) return *std::move(text);

@@ -11,6 +11,9 @@ namespace scanout::io {
 // that are no UTF-8 read as Latin-1.
 std::string folded(std::string_view name);
 
+// %XX is the byte of that code (RFC 3986); what is none stays.
+std::string percent_decoded(std::string_view name);
+
 // The names that `name` may stand for, the likeliest first: as it is; percent-decoded; without a
 // comment behind it; both.
 std::vector<std::string> spellings(std::string_view name);

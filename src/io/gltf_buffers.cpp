@@ -1,5 +1,6 @@
 #include "io/gltf_buffers.h"
 
+#include "io/file_name.h"
 #include "io/gltf_meshopt.h"
 #include "io/text.h"
 

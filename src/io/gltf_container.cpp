@@ -1,6 +1,5 @@
 #include "io/gltf_buffers.h"
-
-#include <cstring>
+#include "io/little_endian.h"
 
 #include <fmt/format.h>
 
@@ -9,13 +8,6 @@ namespace {
 
 constexpr std::size_t kHeader = 12, kChunkHeader = 8;
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
-
-std::uint32_t word_at(std::string_view file, std::size_t at) { // little endian
-    const auto byte = [&](std::size_t i) {
-        return std::uint32_t{static_cast<std::uint8_t>(file[at + i])} << (8 * i);
-    };
-    return byte(0) | byte(1) | byte(2) | byte(3);
-}
 
 } // namespace
 
@@ -31,18 +23,18 @@ Result<Container> open_container(std::string_view file, const std::string& path,
                     path, bytes);
     };
     if (file.size() < kHeader) return cut(file.size());
-    if (const std::uint32_t version = word_at(file, 4); version != 2)
+    if (const std::uint32_t version = little_endian(file.data() + 4); version != 2)
         return fail(Exit::unreadable, "{}: GLB of version {} is not read: export it as glTF 2.0",
                     path, version);
-    std::uint64_t size = word_at(file, 8);
+    std::uint64_t size = little_endian(file.data() + 8);
     if (size > file.size()) {
         warnings.add("GLB length", fmt::format("{}: its header says {} bytes, the file has {}",
                                                path, size, file.size()));
         size = file.size();
     }
     for (std::size_t at = kHeader, number = 0; at + kChunkHeader <= size; ++number) {
-        const std::uint64_t bytes = word_at(file, at);
-        const std::uint32_t type = word_at(file, at + 4);
+        const std::uint64_t bytes = little_endian(file.data() + at);
+        const std::uint32_t type = little_endian(file.data() + at + 4);
         const std::size_t begin = at + kChunkHeader;
         if (bytes > file.size() - begin)
             return fail(Exit::unreadable,

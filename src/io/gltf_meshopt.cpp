@@ -7,8 +7,6 @@
 namespace scanout::io::gltf {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
-
 bool are_indices(const Meshopt& packed) {
     return packed.mode == "TRIANGLES" || packed.mode == "INDICES";
 }

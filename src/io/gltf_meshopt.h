@@ -3,11 +3,11 @@
 
 #include "base/result.h"
 #include "io/gltf_document.h"
+#include "io/gltf_uri.h"
 
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace scanout::io::gltf {
 
@@ -16,11 +16,10 @@ namespace scanout::io::gltf {
 Result<std::uint64_t> meshopt_size(const Meshopt& packed, const std::string& place);
 
 // `size`: of meshopt_size(), which may be taken.
-Result<std::vector<std::uint8_t>> unpack_meshopt(std::span<const std::uint8_t> bytes,
-                                                 const Meshopt& packed, std::uint64_t size,
-                                                 const std::string& place);
+Result<Bytes> unpack_meshopt(std::span<const std::uint8_t> bytes, const Meshopt& packed,
+                             std::uint64_t size, const std::string& place);
 
 // What the encoder did before it packed them, undone in place.
-void undo_meshopt_filter(const Meshopt& packed, std::vector<std::uint8_t>& bytes);
+void undo_meshopt_filter(const Meshopt& packed, Bytes& bytes);
 
 } // namespace scanout::io::gltf

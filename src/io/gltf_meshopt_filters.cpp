@@ -69,7 +69,7 @@ void expand(std::uint8_t* word) {
 
 } // namespace
 
-void undo_meshopt_filter(const Meshopt& packed, std::vector<std::uint8_t>& bytes) {
+void undo_meshopt_filter(const Meshopt& packed, Bytes& bytes) {
     const bool octahedral = packed.filter == "OCTAHEDRAL", small = packed.stride == 4;
     const bool quaternion = packed.filter == "QUATERNION", floats = packed.filter == "EXPONENTIAL";
     const std::size_t step = floats ? 4 : packed.stride;

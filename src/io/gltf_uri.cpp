@@ -1,5 +1,7 @@
-// Data URIs (RFC 2397, RFC 4648) and percent-encoding (RFC 3986).
+// Data URIs (RFC 2397, RFC 4648).
 #include "io/gltf_uri.h"
+
+#include "io/file_name.h"
 
 #include <array>
 #include <cstddef>
@@ -41,12 +43,6 @@ std::optional<Bytes> of_base64(std::string_view text) {
     return bytes;
 }
 
-int hex_digit(char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    const char lower = static_cast<char>(c | 0x20);
-    return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
-}
-
 } // namespace
 
 bool is_data_uri(std::string_view uri) {
@@ -60,18 +56,6 @@ std::optional<Bytes> data_of_uri(std::string_view uri) {
     if (uri.substr(0, comma).ends_with(";base64")) return of_base64(data);
     const std::string text = percent_decoded(data);
     return Bytes(text.begin(), text.end());
-}
-
-std::string percent_decoded(std::string_view text) {
-    std::string out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool code = text[i] == '%' && i + 2 < text.size() && hex_digit(text[i + 1]) >= 0 &&
-                          hex_digit(text[i + 2]) >= 0;
-        out += code ? static_cast<char>(hex_digit(text[i + 1]) * 16 + hex_digit(text[i + 2]))
-                    : text[i];
-        if (code) i += 2;
-    }
-    return out;
 }
 
 bool has_scheme(std::string_view uri) {

@@ -15,7 +15,6 @@ bool is_data_uri(std::string_view uri);
 // The bytes of "data:...;base64,...", or of percent-encoded text; nothing where it is malformed.
 std::optional<Bytes> data_of_uri(std::string_view uri);
 
-std::string percent_decoded(std::string_view text); // what is no %XX stays
-bool has_scheme(std::string_view uri);              // "https:", "file:" and the like
+bool has_scheme(std::string_view uri); // "https:", "file:" and the like
 
 } // namespace scanout::io::gltf

@@ -2,6 +2,7 @@
 
 #include "base/chunks.h"
 #include "geom/framing.h"
+#include "io/little_endian.h"
 #include "io/stl_colours.h"
 #include "io/stl_reader.h"
 #include "io/text.h"
@@ -25,13 +26,6 @@ namespace {
 // three vertices (12 floats, little endian) and two bytes that some programs use for a colour.
 constexpr std::size_t kHeader = 84, kFacet = 50;
 constexpr std::size_t kMaxFacets = (std::size_t{1} << 29) / 3; // a frame indexes 2^29 vertices
-
-std::uint32_t little_endian(const char* bytes) {
-    std::uint32_t value = 0;
-    for (int i = 3; i >= 0; --i)
-        value = value << 8 | static_cast<unsigned char>(bytes[i]);
-    return value;
-}
 
 StlTriangle binary_facet(std::string_view file, std::size_t facet) {
     const char* at = file.data() + kHeader + facet * kFacet + 12; // the normal is not used
