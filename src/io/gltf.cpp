@@ -10,6 +10,7 @@
 #include "math/transcendental.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -140,7 +141,11 @@ void GltfReader::note_what_moves() const {
                            [](const Primitive& p) { return p.morphs; });
     };
     note(document_.animations > 0, "animations");
-    note(!document_.skins.empty(), "skins");
+    note(std::any_of(draws_.begin(), draws_.end(),
+                     [&](const Draw& draw) {
+                         return document_.nodes[static_cast<std::size_t>(draw.node)].skin >= 0;
+                     }),
+         "skins");
     note(std::any_of(document_.meshes.begin(), document_.meshes.end(), morphs), "morph targets");
     if (!what.empty())
         warnings_.add("glTF motion", fmt::format("{}: has {}: shown at rest", path_, what));
@@ -226,11 +231,19 @@ Result<GltfFile> GltfReader::read() {
 } // namespace
 } // namespace gltf
 
+// The asset may stand behind all else.
 bool is_gltf(std::string_view file) {
+    constexpr std::size_t kHeadBytes = 65536;
     if (file.starts_with("glTF")) return true;
     if (file.starts_with("\xef\xbb\xbf")) file.remove_prefix(3);
     file.remove_prefix(std::min(file.find_first_not_of(" \t\r\n"), file.size()));
-    return file.starts_with('{') && file.find("\"asset\"") != std::string_view::npos;
+    if (!file.starts_with('{')) return false;
+    constexpr std::string_view kNames[] = {"\"asset\"", "\"accessors\"", "\"bufferViews\"",
+                                           "\"meshes\""};
+    file = file.substr(0, kHeadBytes);
+    return std::any_of(std::begin(kNames), std::end(kNames), [&](std::string_view name) {
+        return file.find(name) != std::string_view::npos;
+    });
 }
 
 Result<GltfFile> read_gltf(std::string_view file, const std::string& path, Warnings& warnings,

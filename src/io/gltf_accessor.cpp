@@ -34,13 +34,12 @@ std::uint64_t column_bytes(Component component, int rows, int columns) {
     return columns == 1 ? bytes : (bytes + 3) / 4 * 4;
 }
 // Of an element, without and with what fills its last column.
-std::uint64_t element_bytes(const Accessor& a) {
-    return column_bytes(a.component, a.rows, a.columns) *
-               static_cast<std::uint64_t>(a.columns - 1) +
-           static_cast<std::uint64_t>(bytes_of(a.component) * a.rows);
+std::uint64_t element_bytes(Component component, int rows, int columns) {
+    return column_bytes(component, rows, columns) * static_cast<std::uint64_t>(columns - 1) +
+           static_cast<std::uint64_t>(bytes_of(component) * rows);
 }
-std::uint64_t packed_bytes(const Accessor& a) {
-    return column_bytes(a.component, a.rows, a.columns) * static_cast<std::uint64_t>(a.columns);
+std::uint64_t packed_bytes(Component component, int rows, int columns) {
+    return column_bytes(component, rows, columns) * static_cast<std::uint64_t>(columns);
 }
 
 } // namespace
@@ -50,10 +49,8 @@ std::uint64_t packed_bytes(const Accessor& a) {
 Result<View> Accessors::part(Index accessor, Index view, std::uint64_t offset, std::uint64_t count,
                              Component component, int rows, int columns, bool may_stride) {
     TRY(const ViewBytes bytes, buffers_.view(view));
-    const std::uint64_t column = column_bytes(component, rows, columns);
-    const std::uint64_t size = column * static_cast<std::uint64_t>(columns - 1) +
-                               static_cast<std::uint64_t>(bytes_of(component) * rows);
-    const std::uint64_t packed = column * static_cast<std::uint64_t>(columns);
+    const std::uint64_t size = element_bytes(component, rows, columns),
+                        packed = packed_bytes(component, rows, columns);
     const std::uint64_t stride = may_stride && bytes.stride != 0 ? bytes.stride : packed;
     const std::uint64_t all = bytes.bytes.size();
     const bool fits = count == 0 || (offset <= all && size <= all - offset &&
@@ -82,7 +79,7 @@ Result<View> Accessors::sparse(Index accessor) {
     TRY(View view, dense(accessor));
     const auto done = [&](const Bytes& bytes) {
         view.data = bytes.data();
-        view.stride = packed_bytes(a);
+        view.stride = packed_bytes(a.component, a.rows, a.columns);
         return view;
     };
     if (const auto known = sparse_.find(accessor); known != sparse_.end())
@@ -91,11 +88,15 @@ Result<View> Accessors::sparse(Index accessor) {
     if (s.index_view < 0 || s.value_view < 0 || s.count > a.count || a.count > kMostElements)
         return fail(Exit::unreadable, "{}: {}: its {} sparse elements of {} are not all there",
                     path_, what, s.count, a.count);
+    if (!is_index(s.index_type))
+        return fail(Exit::unreadable, "{}: {}: its sparse indices are no unsigned whole numbers",
+                    path_, what);
     TRY(const View indices,
         part(accessor, s.index_view, s.index_offset, s.count, s.index_type, 1, 1, false));
     TRY(const View values, part(accessor, s.value_view, s.value_offset, s.count, a.component,
                                 a.rows, a.columns, false));
-    const std::uint64_t size = element_bytes(a), stride = packed_bytes(a);
+    const std::uint64_t size = element_bytes(a.component, a.rows, a.columns),
+                        stride = packed_bytes(a.component, a.rows, a.columns);
     TRY_VOID(budget_.take(a.count * stride, what));
     Bytes bytes(a.count * stride);
     for (std::uint64_t i = 0; i < a.count && a.view >= 0; ++i)
@@ -115,6 +116,8 @@ Result<View> Accessors::sparse(Index accessor) {
 
 Result<View> Accessors::view(Index accessor) {
     const Accessor& a = document_.accessors[static_cast<std::size_t>(accessor)];
+    if (!a.fault.empty())
+        return fail(Exit::unreadable, "{}: accessors[{}].{}", path_, accessor, a.fault);
     return a.sparse ? sparse(accessor) : dense(accessor);
 }
 

@@ -17,6 +17,9 @@
 namespace scanout::io::gltf {
 
 int bytes_of(Component component);
+inline bool is_index(Component component) { // what for_indices() reads
+    return component == Component::u8 || component == Component::u16 || component == Component::u32;
+}
 
 // Elements of `rows` components each, at data + i * stride.
 struct View {
@@ -106,7 +109,7 @@ void for_elements(const View& view, Take&& take) {
               [&](auto type) { detail::each_element<decltype(type), kRows>(view, take); });
 }
 
-// Calls take(i, value) for each element of a view of one whole number each.
+// Calls take(i, value) for each element of a view of one unsigned whole number each (is_index).
 template <class Take>
 void for_indices(const View& view, Take&& take) {
     with_type(view.component, [&](auto type) {

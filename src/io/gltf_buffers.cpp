@@ -39,6 +39,8 @@ Result<> Buffers::load(Index index, Loaded& loaded) {
             return fail(Exit::unreadable, "{} has neither a uri nor a chunk of a GLB file",
                         place());
         loaded.bytes = container_.chunk;
+    } else if (buffer.uri.empty()) {
+        return fail(Exit::unreadable, "{} has an empty uri", place());
     } else if (is_data_uri(buffer.uri)) {
         auto data = data_of_uri(buffer.uri);
         if (!data) return fail(Exit::unreadable, "{}: its data URI cannot be read", place());
@@ -88,6 +90,9 @@ Result<ByteSpan> Buffers::part(Index view, Index index, std::uint64_t offset, st
 Result<ViewBytes> Buffers::view(Index index) {
     const auto number = static_cast<std::size_t>(index);
     const BufferView& view = document_.views[number];
+    const std::string& fault = view.meshopt ? view.meshopt->fault : view.fault;
+    if (!fault.empty())
+        return fail(Exit::unreadable, "{}: bufferViews[{}].{}", path_, index, fault);
     if (!view.meshopt) {
         TRY(const ByteSpan bytes, part(index, view.buffer, view.offset, view.bytes));
         return ViewBytes{bytes, view.stride};

@@ -39,12 +39,14 @@ struct Meshopt {
     Index buffer = -1;
     std::uint64_t offset = 0, bytes = 0, stride = 0, count = 0;
     std::string mode, filter;
+    std::string fault; // why it cannot be used
 };
 
 struct BufferView {
     Index buffer = -1;
     std::uint64_t offset = 0, bytes = 0, stride = 0; // stride 0: tightly packed
     std::optional<Meshopt> meshopt;
+    std::string fault; // why it cannot be used
 };
 
 struct Sparse {
@@ -61,6 +63,7 @@ struct Accessor {
     int rows = 1, columns = 1; // SCALAR and vectors are one column
     bool normalized = false;
     std::optional<Sparse> sparse;
+    std::string fault; // why it cannot be used
 };
 
 // KHR_texture_transform: uv -> offset + rotation * scale * uv, in glTF's uv, whose v runs down.
@@ -88,7 +91,7 @@ struct MaterialInfo {
     TextureInfo base_texture, metallic_roughness, normal, emissive_texture;
     AlphaMode alpha_mode = AlphaMode::opaque;
     double alpha_cutoff = 0.5;
-    bool double_sided = false, unlit = false;
+    bool unlit = false;
 };
 
 using scene::Wrap;
@@ -103,8 +106,8 @@ struct TextureSource {
 
 struct ImageSource {
     std::string uri; // empty: in a buffer view
-    std::string mime;
     Index view = -1;
+    std::string fault; // why it cannot be used
 };
 
 using Attributes = std::vector<std::pair<std::string, Index>>; // name, accessor
@@ -126,6 +129,7 @@ struct Primitive {
     int mode = 4;
     std::optional<Draco> draco;
     bool morphs = false;
+    std::string fault; // why it cannot be drawn
 };
 
 struct MeshInfo {
@@ -137,11 +141,13 @@ struct Node {
     Index mesh = -1, skin = -1;
     DMat4 matrix{1};      // of its own, to its parent
     Attributes instances; // EXT_mesh_gpu_instancing
+    std::string fault;    // why its instances cannot be used
 };
 
 struct Skin {
     std::vector<Index> joints; // nodes
     Index inverse_bind = -1;   // accessor
+    std::string fault;         // why it cannot be used
 };
 
 struct CameraInfo {
@@ -160,10 +166,9 @@ struct Document {
     std::vector<MaterialInfo> materials;
     std::vector<MeshInfo> meshes;
     std::vector<Node> nodes;
-    std::vector<std::vector<Index>> scenes; // root nodes
+    std::optional<std::vector<Index>> scene; // root nodes of the default one, where there is one
     std::vector<CameraInfo> cameras;
     std::vector<Skin> skins;
-    Index scene = -1; // the default one
     std::size_t animations = 0;
     std::vector<std::string> used, required; // extensions
 };

@@ -116,7 +116,7 @@ Result<UnpackedDraco> unpack_draco(ByteSpan bytes, const Primitive& primitive,
         const Accessor& a = document.accessors[static_cast<std::size_t>(index)];
         const std::uint64_t element =
             static_cast<std::uint64_t>(a.rows) * static_cast<std::uint64_t>(bytes_of(a.component));
-        if (a.columns != 1) continue;
+        if (a.columns != 1 || !a.fault.empty()) continue;
         TRY_VOID(budget.take(out.vertices * element, what));
         with_type(a.component, [&](auto component) {
             out.attributes.emplace_back(name,

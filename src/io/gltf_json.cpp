@@ -37,7 +37,7 @@ Buffer read_buffer(JsonReader& in, Json o) {
 
 BufferView read_view(JsonReader& in, Json o) {
     BufferView view;
-    view.buffer = in.index(o, "buffer", "buffers");
+    view.buffer = in.index(o, "buffer", "buffers", view.fault);
     view.offset = in.whole(o, "byteOffset", 0, kMany);
     view.bytes = in.whole(o, "byteLength", 0, kMany);
     view.stride = in.whole(o, "byteStride", 0, 65535);
@@ -45,7 +45,7 @@ BufferView read_view(JsonReader& in, Json o) {
     if (!packed.there()) packed = in.extension(o, "KHR_meshopt_compression");
     if (packed.there()) {
         Meshopt& m = view.meshopt.emplace();
-        m.buffer = in.index(packed, "buffer", "buffers");
+        m.buffer = in.index(packed, "buffer", "buffers", m.fault);
         m.offset = in.whole(packed, "byteOffset", 0, kMany);
         m.bytes = in.whole(packed, "byteLength", 0, kMany);
         m.stride = in.whole(packed, "byteStride", 0, 256);
@@ -56,12 +56,15 @@ BufferView read_view(JsonReader& in, Json o) {
     return view;
 }
 
-Component read_component(JsonReader& in, Json o) {
+// What no primitive uses may be of any type: the fault is the accessor's.
+Component read_component(JsonReader& in, Json o, Accessor& of) {
     const std::uint64_t code = in.whole(o, "componentType", 0, 65535);
     constexpr std::uint64_t kCodes[] = {5120, 5121, 5122, 5123, 5125, 5126};
-    if (std::find(std::begin(kCodes), std::end(kCodes), code) == std::end(kCodes))
-        in.fault_at("componentType", fmt::format("is {}, which is none of glTF's", code));
-    return static_cast<Component>(code);
+    if (std::find(std::begin(kCodes), std::end(kCodes), code) != std::end(kCodes))
+        return static_cast<Component>(code);
+    if (of.fault.empty())
+        of.fault = fmt::format("componentType is {}, which is none of glTF's", code);
+    return Component::u8;
 }
 
 Accessor read_accessor(JsonReader& in, Json o) {
@@ -73,16 +76,17 @@ Accessor read_accessor(JsonReader& in, Json o) {
                                       {"VEC4", 4, 1},   {"MAT2", 2, 2}, {"MAT3", 3, 3},
                                       {"MAT4", 4, 4}};
     Accessor a;
-    a.view = in.index(o, "bufferView", "bufferViews");
+    a.view = in.index(o, "bufferView", "bufferViews", a.fault);
     a.offset = in.whole(o, "byteOffset", 0, kMany);
     a.count = in.whole(o, "count", 0, kMany);
-    a.component = read_component(in, o);
+    a.component = read_component(in, o, a);
     a.normalized = in.flag(o, "normalized");
     const std::string name = in.text(o, "type");
     const auto* type = std::find_if(std::begin(kTypes), std::end(kTypes),
                                     [&](const Type& t) { return t.name == name; });
     if (type == std::end(kTypes)) {
-        in.fault_at("type", fmt::format("is '{}', which is none of glTF's", shown(name)));
+        if (a.fault.empty())
+            a.fault = fmt::format("type is '{}', which is none of glTF's", shown(name));
         return a;
     }
     a.rows = type->rows;
@@ -91,10 +95,10 @@ Accessor read_accessor(JsonReader& in, Json o) {
         Sparse& s = a.sparse.emplace();
         s.count = in.whole(sparse, "count", 0, kMany);
         const Json indices = in.object(sparse, "indices"), values = in.object(sparse, "values");
-        s.index_view = in.index(indices, "bufferView", "bufferViews");
+        s.index_view = in.index(indices, "bufferView", "bufferViews", a.fault);
         s.index_offset = in.whole(indices, "byteOffset", 0, kMany);
-        s.index_type = read_component(in, indices);
-        s.value_view = in.index(values, "bufferView", "bufferViews");
+        s.index_type = read_component(in, indices, a);
+        s.value_view = in.index(values, "bufferView", "bufferViews", a.fault);
         s.value_offset = in.whole(values, "byteOffset", 0, kMany);
     }
     return a;
@@ -103,8 +107,7 @@ Accessor read_accessor(JsonReader& in, Json o) {
 ImageSource read_image(JsonReader& in, Json o) {
     ImageSource image;
     image.uri = in.text(o, "uri");
-    image.mime = in.text(o, "mimeType");
-    image.view = in.index(o, "bufferView", "bufferViews");
+    image.view = in.index(o, "bufferView", "bufferViews", image.fault);
     return image;
 }
 
@@ -133,6 +136,7 @@ TextureInfo read_texture_info(JsonReader& in, Json of, std::string_view key) {
     TextureInfo info;
     const Json o = in.object(of, key);
     if (!o.there()) return info;
+    const JsonReader::Within within(in, std::string(key));
     info.texture = in.soft_index(o, "index", "textures");
     info.set = static_cast<int>(in.whole(o, "texCoord", 0, 1000));
     info.scale = in.number(o, "scale", 1);
@@ -173,29 +177,40 @@ MaterialInfo read_material(JsonReader& in, Json o) {
                    : mode == "BLEND" ? AlphaMode::blend
                                      : AlphaMode::opaque;
     m.alpha_cutoff = in.number(o, "alphaCutoff", 0.5);
-    m.double_sided = in.flag(o, "doubleSided");
     m.unlit = in.extension(o, "KHR_materials_unlit").there();
     return m;
 }
 
-Attributes read_attributes(JsonReader& in, Json of, std::string_view key) {
+// Others may lead nowhere.
+bool is_read(std::string_view attribute) {
+    constexpr std::string_view kNames[] = {"POSITION",    "NORMAL",   "COLOR_0",
+                                           "TRANSLATION", "ROTATION", "SCALE"};
+    return std::find(std::begin(kNames), std::end(kNames), attribute) != std::end(kNames) ||
+           attribute.starts_with("TEXCOORD_") || attribute.starts_with("JOINTS_") ||
+           attribute.starts_with("WEIGHTS_");
+}
+
+Attributes read_attributes(JsonReader& in, Json of, std::string_view key, std::string& fault) {
     Attributes attributes;
     in.each_field(in.object(of, key), [&](std::string_view name, Json value) {
-        attributes.emplace_back(name, in.index_of(value, name, "accessors"));
+        std::string ignored;
+        const Index accessor =
+            in.index_of(value, name, "accessors", is_read(name) ? fault : ignored);
+        if (accessor >= 0) attributes.emplace_back(name, accessor);
     });
     return attributes;
 }
 
 Primitive read_primitive(JsonReader& in, Json o) {
     Primitive p;
-    p.attributes = read_attributes(in, o, "attributes");
-    p.indices = in.index(o, "indices", "accessors");
+    p.attributes = read_attributes(in, o, "attributes", p.fault);
+    p.indices = in.index(o, "indices", "accessors", p.fault);
     p.material = in.soft_index(o, "material", "materials");
     p.mode = static_cast<int>(in.whole(o, "mode", 4, 65535));
     p.morphs = in.has(o, "targets");
     if (const Json packed = in.extension(o, "KHR_draco_mesh_compression"); packed.there()) {
         Draco& draco = p.draco.emplace();
-        draco.view = in.index(packed, "bufferView", "bufferViews");
+        draco.view = in.index(packed, "bufferView", "bufferViews", p.fault);
         in.each_field(in.object(packed, "attributes"), [&](std::string_view name, Json value) {
             draco.attributes.emplace_back(
                 name, static_cast<std::uint32_t>(in.whole_of(value, name, 0xffffffff)));
@@ -206,8 +221,10 @@ Primitive read_primitive(JsonReader& in, Json o) {
 
 MeshInfo read_mesh(JsonReader& in, Json o) {
     MeshInfo mesh;
-    in.each(o, "primitives",
-            [&](Json primitive) { mesh.primitives.push_back(read_primitive(in, primitive)); });
+    in.each(o, "primitives", [&](Json primitive) {
+        const JsonReader::Within within(in, fmt::format("primitives[{}]", mesh.primitives.size()));
+        mesh.primitives.push_back(read_primitive(in, primitive));
+    });
     return mesh;
 }
 
@@ -226,8 +243,7 @@ Node read_node(JsonReader& in, Json o) {
     in.each(o, "children",
             [&](Json child) { node.children.push_back(in.index_of(child, "children", "nodes")); });
     node.mesh = in.index(o, "mesh", "meshes");
-    node.skin = in.index(o, "skin", "skins");
-    in.index(o, "camera", "cameras"); // of no use yet, but a file without it is damaged
+    node.skin = in.soft_index(o, "skin", "skins");
     if (in.has(o, "matrix")) {
         in.numbers(o, "matrix", &node.matrix[0][0], 16);
     } else {
@@ -239,15 +255,16 @@ Node read_node(JsonReader& in, Json o) {
         node.matrix = trs_matrix(move, turn, size);
     }
     if (const Json many = in.extension(o, "EXT_mesh_gpu_instancing"); many.there())
-        node.instances = read_attributes(in, many, "attributes");
+        node.instances = read_attributes(in, many, "attributes", node.fault);
     return node;
 }
 
 Skin read_skin(JsonReader& in, Json o) {
     Skin skin;
-    in.each(o, "joints",
-            [&](Json joint) { skin.joints.push_back(in.index_of(joint, "joints", "nodes")); });
-    skin.inverse_bind = in.index(o, "inverseBindMatrices", "accessors");
+    in.each(o, "joints", [&](Json joint) {
+        skin.joints.push_back(in.index_of(joint, "joints", "nodes", skin.fault));
+    });
+    skin.inverse_bind = in.index(o, "inverseBindMatrices", "accessors", skin.fault);
     return skin;
 }
 
@@ -299,11 +316,13 @@ Result<Document> read_document(std::string_view json, const std::string& path, W
     read_all(in, root, "nodes", d.nodes, read_node);
     read_all(in, root, "skins", d.skins, read_skin);
     read_all(in, root, "cameras", d.cameras, read_camera);
+    const Index scene = std::max(in.index(root, "scene", "scenes"), 0);
+    Index number = 0;
     in.each_top(root, "scenes", [&](Json o) {
-        auto& roots = d.scenes.emplace_back();
+        if (number++ != scene) return;
+        auto& roots = d.scene.emplace();
         in.each(o, "nodes", [&](Json n) { roots.push_back(in.index_of(n, "nodes", "nodes")); });
     });
-    d.scene = in.index(root, "scene", "scenes");
     d.animations = in.size_of("animations");
     TRY_VOID(in.outcome());
     return d;

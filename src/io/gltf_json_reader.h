@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <simdjson.h>
@@ -76,9 +77,10 @@ public:
         return found == sizes_.end() ? 0 : found->second;
     }
 
+    // Null is as good as none.
     Json field(const Json& of, std::string_view key) const {
         simdjson::dom::element value;
-        if (!of.there() || (*of)[key].get(value) != simdjson::SUCCESS) return {};
+        if (!of.there() || (*of)[key].get(value) != simdjson::SUCCESS || value.is_null()) return {};
         return Json(value);
     }
     bool has(const Json& of, std::string_view key) const { return field(of, key).there(); }
@@ -122,13 +124,8 @@ public:
         return value.there() ? whole_of(value, key, most) : otherwise;
     }
     std::uint64_t whole_of(const Json& value, std::string_view key, std::uint64_t most) {
-        std::uint64_t whole = 0;
-        if ((*value).get(whole) == simdjson::SUCCESS && whole <= most) return whole;
-        double number = -1; // 3.0 is whole, too
-        if ((*value).get(number) == simdjson::SUCCESS && number >= 0 &&
-            number <= static_cast<double>(most) && number == std::floor(number))
-            return static_cast<std::uint64_t>(number);
-        fault_at(key, fmt::format("is no whole number from 0 to {}", most));
+        if (const auto whole = whole_if_any(value, most)) return *whole;
+        fault_at(key, fmt::format("is {}", no_whole(most)));
         return 0;
     }
 
@@ -149,23 +146,51 @@ public:
         return value.there() ? index_of(value, key, array) : -1;
     }
     Index index_of(const Json& value, std::string_view key, std::string_view array) {
-        const std::uint64_t index = whole_of(value, key, 0x7fffffff);
+        const std::uint64_t index = whole_of(value, key, kMostIndex);
         if (index < size_of(array)) return static_cast<Index>(index);
-        fault_at(key, beyond(index, array));
+        fault_at(key, fmt::format("is {}", beyond(index, array)));
+        return -1;
+    }
+    // The same of what may never be read: its fault is kept in `fault`, where that has none.
+    Index index(const Json& of, std::string_view key, std::string_view array, std::string& fault) {
+        const Json value = field(of, key);
+        return value.there() ? index_of(value, key, array, fault) : -1;
+    }
+    Index index_of(const Json& value, std::string_view key, std::string_view array,
+                   std::string& fault) {
+        const auto index = whole_if_any(value, kMostIndex);
+        if (index && *index < size_of(array)) return static_cast<Index>(*index);
+        if (fault.empty())
+            fault = fmt::format("{} is {}", shown(key),
+                                index ? beyond(*index, array) : no_whole(kMostIndex));
         return -1;
     }
     // The same of what may be left out: -1, with a warning, where it is beyond the array's end.
     Index soft_index(const Json& of, std::string_view key, std::string_view array) {
         const Json value = field(of, key);
         if (!value.there()) return -1;
-        const std::uint64_t index = whole_of(value, key, 0x7fffffff);
+        const std::uint64_t index = whole_of(value, key, kMostIndex);
         if (index < size_of(array)) return static_cast<Index>(index);
         if (!fault_)
-            warnings_.add(
-                fmt::format("glTF reference {}", key),
-                fmt::format("{}: {} {}; drawn without", path_, place(key), beyond(index, array)));
+            warnings_.add(fmt::format("glTF reference {}", key),
+                          fmt::format("{}: {} is {}; drawn without", path_, place(key),
+                                      beyond(index, array)));
         return -1;
     }
+
+    // What is read while this lives is of a part of the object: messages name it, too.
+    class Within {
+    public:
+        Within(JsonReader& in, std::string part)
+            : in_(in), outer_(std::exchange(in.part_, std::move(part))) {}
+        ~Within() { in_.part_ = outer_; }
+        Within(const Within&) = delete;
+        Within& operator=(const Within&) = delete;
+
+    private:
+        JsonReader& in_;
+        std::string outer_;
+    };
 
     // Each object of an array of the outermost object: messages name its place.
     template <class Visit>
@@ -197,10 +222,24 @@ public:
         simdjson::dom::object object;
         if (!of.there() || (*of).get(object) != simdjson::SUCCESS) return;
         for (const auto field : object)
-            visit(std::string_view(field.key), Json(field.value));
+            if (!field.value.is_null()) visit(std::string_view(field.key), Json(field.value));
     }
 
 private:
+    static constexpr std::uint64_t kMostIndex = 0x7fffffff;
+
+    static std::optional<std::uint64_t> whole_if_any(const Json& value, std::uint64_t most) {
+        std::uint64_t whole = 0;
+        if ((*value).get(whole) == simdjson::SUCCESS && whole <= most) return whole;
+        double number = -1; // 3.0 is whole, too
+        if ((*value).get(number) == simdjson::SUCCESS && number >= 0 &&
+            number <= static_cast<double>(most) && number == std::floor(number))
+            return static_cast<std::uint64_t>(number);
+        return std::nullopt;
+    }
+    static std::string no_whole(std::uint64_t most) {
+        return fmt::format("no whole number from 0 to {}", most);
+    }
     // The array's own size() stops at 2^24.
     static std::size_t count_of(const simdjson::dom::array& array) {
         std::size_t count = 0;
@@ -235,10 +274,11 @@ private:
     }
     std::string place(std::string_view key) const {
         if (array_.empty()) return shown(key);
-        return fmt::format("{}[{}].{}", array_, number_, shown(key));
+        return fmt::format("{}[{}].{}{}{}", array_, number_, part_, part_.empty() ? "" : ".",
+                           shown(key));
     }
     std::string beyond(std::uint64_t index, std::string_view array) const {
-        return fmt::format("is {}, and there are {} {}", index, size_of(array), array);
+        return fmt::format("{}, and there are {} {}", index, size_of(array), array);
     }
 
     const std::string& path_;
@@ -248,6 +288,7 @@ private:
     std::optional<std::string> fault_;
     std::string_view array_; // of the object that is read
     std::size_t number_ = 0;
+    std::string part_; // of that object
 };
 
 } // namespace scanout::io::gltf

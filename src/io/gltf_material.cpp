@@ -42,6 +42,7 @@ struct Placement {
     DVec2 scale{1}, offset{0};
 };
 std::optional<Placement> placement(const UvUse& own, const UvUse& made) {
+    if (own == made) return Placement(); // even where it has no inverse
     if (own.set != made.set) return std::nullopt;
     const double det = made.x.x * made.y.y - made.y.x * made.x.y;
     // Columns of own * made^-1, times the determinant.

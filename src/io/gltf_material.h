@@ -19,6 +19,7 @@ struct UvUse {
     int set = 0;
     DVec2 x{1, 0}, y{0, 1}, offset{0}; // columns of the matrix
     DVec2 apply(const DVec2& uv) const { return (x * uv.x + y * uv.y) + offset; }
+    friend bool operator==(const UvUse&, const UvUse&) = default;
 };
 
 struct Looks {

@@ -18,7 +18,7 @@ Result<std::vector<Index>> parents_of(const Document& d, const std::string& path
     for (std::size_t i = 0; i < d.nodes.size(); ++i)
         for (const Index child : d.nodes[i].children) {
             Index& parent = parents[static_cast<std::size_t>(child)];
-            if (parent >= 0)
+            if (parent >= 0 && parent != static_cast<Index>(i))
                 return fail(Exit::unreadable,
                             "{}: nodes[{}] is a child of nodes[{}] and of nodes[{}]", path, child,
                             parent, i);
@@ -93,7 +93,7 @@ private:
     Result<> add(Index index) {
         const Node& node = d_.nodes[static_cast<std::size_t>(index)];
         const DMat4& matrix = out_.world[static_cast<std::size_t>(index)];
-        if (node.instances.empty()) {
+        if (node.instances.empty() && node.fault.empty()) {
             out_.draws.push_back({index, node.mesh, matrix});
             return {};
         }
@@ -111,6 +111,8 @@ private:
     // EXT_mesh_gpu_instancing: each instance's place within the node.
     Result<std::vector<DMat4>> instances(Index index) {
         const Node& node = d_.nodes[static_cast<std::size_t>(index)];
+        if (!node.fault.empty())
+            return fail(Exit::unreadable, "{}: nodes[{}].{}", path_, index, node.fault);
         struct Part {
             std::string_view name;
             int rows;
@@ -175,8 +177,7 @@ Result<SceneNodes> walk_nodes(const Document& d, Accessors& accessors, Budget& b
     for (std::size_t i = 0; i < parents.size(); ++i)
         if (parents[i] < 0) roots.push_back(static_cast<Index>(i));
     Walk walk(d, accessors, budget, path, warnings);
-    const auto scene = static_cast<std::size_t>(std::max(d.scene, 0));
-    return walk.from(d.scenes.empty() ? roots : d.scenes[scene], roots);
+    return walk.from(d.scene.value_or(roots), roots);
 }
 
 } // namespace scanout::io::gltf

@@ -11,21 +11,12 @@ static constexpr int kMostSets = 4; // of four joints each
 Result<const UnpackedDraco*> Primitives::draco(Index mesh, std::size_t number) {
     const Primitive& p = document_.meshes[static_cast<std::size_t>(mesh)].primitives[number];
     if (!p.draco) return nullptr;
-    const auto key = std::pair(mesh, number);
-    auto known = draco_.find(key);
-    if (known == draco_.end()) {
-        const std::string what = fmt::format("meshes[{}].primitives[{}]", mesh, number);
-        const auto unpack = [&]() -> Result<UnpackedDraco> {
-            if (p.draco->view < 0)
-                return fail(Exit::unreadable, "{}: {}: its Draco data names no buffer view", path_,
-                            what);
-            TRY(const ViewBytes bytes, buffers_.view(p.draco->view));
-            return unpack_draco(bytes.bytes, p, document_, budget_, path_, what);
-        };
-        known = draco_.emplace(key, unpack()).first;
-    }
-    if (!known->second) return tl::unexpected<Error>(known->second.error());
-    return &*known->second;
+    const std::string what = fmt::format("meshes[{}].primitives[{}]", mesh, number);
+    if (p.draco->view < 0)
+        return fail(Exit::unreadable, "{}: {}: its Draco data names no buffer view", path_, what);
+    TRY(const ViewBytes bytes, buffers_.view(p.draco->view));
+    TRY(UnpackedDraco unpacked, unpack_draco(bytes.bytes, p, document_, budget_, path_, what));
+    return &unpacked_.emplace_back(std::move(unpacked));
 }
 
 std::optional<View> Primitives::attribute(const Primitive& p, const UnpackedDraco* packed,
@@ -55,6 +46,7 @@ std::optional<View> Primitives::attribute(const Primitive& p, const UnpackedDrac
 Result<PrimitiveData> Primitives::find(Index mesh, std::size_t number, int uv_set) {
     const Primitive& p = document_.meshes[static_cast<std::size_t>(mesh)].primitives[number];
     const std::string place = fmt::format("{}: meshes[{}].primitives[{}]", path_, mesh, number);
+    if (!p.fault.empty()) return fail(Exit::unreadable, "{}.{}: left out", place, p.fault);
     if (p.mode > 6)
         return fail(Exit::unreadable, "{}: mode {} is none of glTF's: left out", place, p.mode);
     const Index positions = gltf::find(p.attributes, "POSITION");
@@ -89,9 +81,7 @@ Result<PrimitiveData> Primitives::find(Index mesh, std::size_t number, int uv_se
                             false};
     } else if (p.indices >= 0) {
         TRY(const View indices, accessors_.view(p.indices));
-        const Component type = indices.component;
-        if (indices.rows != 1 || type == Component::f32 || type == Component::i8 ||
-            type == Component::i16)
+        if (indices.rows != 1 || !is_index(indices.component))
             return fail(Exit::unreadable,
                         "{}: accessors[{}] holds no unsigned whole numbers, as indices are: left "
                         "out",

@@ -8,10 +8,9 @@
 #include "io/gltf_skin.h"
 
 #include <cstdint>
-#include <map>
+#include <list>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace scanout::io::gltf {
@@ -43,8 +42,9 @@ public:
         : document_(document), buffers_(buffers), accessors_(document, buffers, path, budget),
           path_(path), warnings_(warnings), budget_(budget) {}
 
-    // uv_set: which TEXCOORD_n. Fails (Exit::unreadable) where positions or indices are not there;
-    // other attributes that are not are warnings, and none. Views are good as long as this object.
+    // Asked once of each primitive: packed ones are unpacked. uv_set: which TEXCOORD_n. Fails
+    // (Exit::unreadable) where positions or indices are not there; other attributes that are not
+    // are warnings, and none. Views are good as long as this object.
     Result<PrimitiveData> find(Index mesh, std::size_t primitive, int uv_set);
 
     Accessors& accessors() { return accessors_; }
@@ -61,7 +61,7 @@ private:
     const std::string& path_;
     Warnings& warnings_;
     Budget& budget_;
-    std::map<std::pair<Index, std::size_t>, Result<UnpackedDraco>> draco_;
+    std::list<UnpackedDraco> unpacked_; // that views are of
 };
 
 } // namespace scanout::io::gltf

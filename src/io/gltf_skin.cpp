@@ -13,6 +13,8 @@ Result<const Palette*> Skins::palette(Index skin) {
 
 Result<Palette> Skins::make(Index index) {
     const Skin& skin = document_.skins[static_cast<std::size_t>(index)];
+    if (!skin.fault.empty())
+        return fail(Exit::unreadable, "{}: skins[{}].{}", path_, index, skin.fault);
     Palette palette;
     for (const Index joint : skin.joints)
         palette.push_back(world_[static_cast<std::size_t>(joint)]);

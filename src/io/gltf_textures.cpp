@@ -29,6 +29,7 @@ Result<image::Image> Textures::decode(Index index, std::string& name) {
     limits.max_pixels =
         std::min(limits.max_pixels, static_cast<std::int64_t>(room() / sizeof(image::Rgba8)));
     const std::string place = fmt::format("{}: images[{}]", path_, index);
+    if (!source.fault.empty()) return fail(Exit::unreadable, "{}.{}", place, source.fault);
     if (source.view >= 0) {
         TRY(const ViewBytes bytes, buffers_.view(source.view));
         return image::decode(bytes.bytes, place, limits);
@@ -39,7 +40,7 @@ Result<image::Image> Textures::decode(Index index, std::string& name) {
         return image::decode(*data, place, limits);
     }
     if (source.uri.empty())
-        return fail(Exit::unreadable, "{} has neither a uri nor a buffer view", place);
+        return fail(Exit::unreadable, "{} names neither a file nor a buffer view", place);
     auto path = buffers_.file_of_uri(source.uri);
     if (!path) return fail(Exit::unreadable, "{}: {}", place, path.error().what);
     name = *path;

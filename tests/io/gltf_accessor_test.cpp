@@ -109,6 +109,20 @@ struct Reach {
     std::size_t count;
     const char* says;
 };
+TEST(GltfAccessor, SparseIndicesAreUnsignedWholeNumbers) {
+    for (const int type : {5120, 5122, 5126}) {
+        GltfBuilder b;
+        b.triangle();
+        b.accessors[0] = fmt::format(
+            R"({{"bufferView":0,"componentType":5126,"type":"VEC3","count":3,"sparse":{{"count":1,)"
+            R"("indices":{{"bufferView":0,"componentType":{}}},"values":{{"bufferView":0}}}}}})",
+            type);
+        b.primitive(R"("attributes":{"POSITION":0})");
+        EXPECT_EQ(read_gltf_file(b.glb()).error(),
+                  "a.glb: accessors[0]: its sparse indices are no unsigned whole numbers");
+    }
+}
+
 TEST(GltfAccessor, WhatReachesBeyondItsViewIsRefusedWithItsBytes) {
     for (const Reach& c : {
              Reach{"", 4,

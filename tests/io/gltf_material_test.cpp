@@ -185,6 +185,17 @@ TEST(GltfMaterial, ATextureTransformMovesTheCoordinates) {
     EXPECT_NEAR(r.mesh().uvs[0].y, 1.5, 1e-12);
 }
 
+TEST(GltfMaterial, ATextureTransformOfScaleZeroShowsOneTexel) {
+    const GltfRead r = read_gltf_file(
+        textured(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":)"
+                 R"({"KHR_texture_transform":{"scale":[0,0],"offset":[0.25,0.5]}}}}})")
+            .glb());
+    ASSERT_TRUE(r.result) << r.error();
+    EXPECT_EQ(r.warnings, "");
+    EXPECT_GE(r.result->materials[0].map_diffuse.texture(), 0);
+    EXPECT_EQ(r.mesh().uvs, std::vector<DVec2>(3, DVec2(0.25, 0.5)));
+}
+
 TEST(GltfMaterial, AnotherMapsTransformIsTakenRelativeToTheFirst) {
     const GltfRead r = read_gltf_file(
         textured(
@@ -265,7 +276,7 @@ TEST(GltfMaterial, PicturesComeFromFilesAndDataUris) {
     EXPECT_THAT(with(R"({"uri":"data:image/png;base64,*"})").warnings,
                 HasSubstr("a.glb: images[0]: its data URI cannot be read; drawn plain"));
     EXPECT_THAT(with("{}").warnings,
-                HasSubstr("a.glb: images[0] has neither a uri nor a buffer view; drawn plain"));
+                HasSubstr("a.glb: images[0] names neither a file nor a buffer view; drawn plain"));
     folder.write("text.png", "text");
     EXPECT_THAT(with(R"({"uri":"text.png"})").warnings, HasSubstr("a.glb: images[0]: "));
 }
@@ -282,12 +293,14 @@ TEST(GltfMaterial, ReferencesThatLeadNowhereAreDrawnWithout) {
     GltfBuilder b = textured(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":7}}})");
     const GltfRead texture = read_gltf_file(b.glb());
     ASSERT_TRUE(texture.result) << texture.error();
-    EXPECT_EQ(texture.warnings,
-              "a.glb: materials[0].index is 7, and there are 2 textures; drawn without");
+    EXPECT_EQ(
+        texture.warnings,
+        "a.glb: materials[0].baseColorTexture.index is 7, and there are 2 textures; drawn without");
     GltfBuilder m;
     m.primitive(fmt::format(R"("material":3,"attributes":{{"POSITION":{}}})", m.triangle()));
-    EXPECT_EQ(read_gltf_file(m.glb()).warnings,
-              "a.glb: meshes[0].material is 3, and there are 0 materials; drawn without");
+    EXPECT_EQ(
+        read_gltf_file(m.glb()).warnings,
+        "a.glb: meshes[0].primitives[0].material is 3, and there are 0 materials; drawn without");
     GltfBuilder i;
     i.primitive(fmt::format(R"("material":0,"attributes":{{"POSITION":{}}})", i.triangle()));
     i.more = R"(,"textures":[{"source":2}],"materials":[{"normalTexture":{"index":0}}])";

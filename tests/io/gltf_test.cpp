@@ -36,7 +36,10 @@ std::string error_of(const std::string& json) {
 TEST(Gltf, ContentTellsTheFormat) {
     EXPECT_TRUE(is_gltf(one_triangle().glb()));
     EXPECT_TRUE(is_gltf("\xef\xbb\xbf \n{ \"asset\": {} }"));
+    for (const char* name : {"accessors", "bufferViews", "meshes"})
+        EXPECT_TRUE(is_gltf(fmt::format("{{ \"{}\": [] }}", name))); // the asset comes last
     EXPECT_FALSE(is_gltf("{ \"nodes\": [] }"));
+    EXPECT_FALSE(is_gltf("{" + std::string(65536, ' ') + "\"meshes\""));
     EXPECT_FALSE(is_gltf("v 0 0 0\n"));
     EXPECT_FALSE(is_gltf(""));
     EXPECT_EQ(*tell_format("{", 1, "a.gltf"), ModelFormat::gltf);
@@ -89,6 +92,7 @@ TEST(Gltf, BuffersComeFromFilesAndDataUris) {
              "AAAA")
             .result);
     EXPECT_THAT(with("no.bin").error(), HasSubstr("a.gltf: buffers[0]: 'no.bin' is not there"));
+    EXPECT_THAT(with("").error(), HasSubstr("a.gltf: buffers[0] has an empty uri"));
     EXPECT_THAT(with("../../x.bin").error(),
                 HasSubstr("lies outside of the model's folder (--allow-outside reads it)"));
     EXPECT_THAT(
@@ -135,10 +139,6 @@ TEST(Gltf, JsonThatCannotBeMeantIsRefusedWithItsPlace) {
               "a.gltf: needs glTF 2.1, and 2.0 is read");
     EXPECT_EQ(with(R"("accessors":[{"count":-1}])"),
               "a.gltf: accessors[0].count is no whole number from 0 to 9007199254740992");
-    EXPECT_EQ(with(R"("accessors":[{"count":1,"componentType":5124}])"),
-              "a.gltf: accessors[0].componentType is 5124, which is none of glTF's");
-    EXPECT_EQ(with(R"("accessors":[{"count":1,"componentType":5126,"type":"VEC5"}])"),
-              "a.gltf: accessors[0].type is 'VEC5', which is none of glTF's");
     EXPECT_EQ(with(R"("accessors":[7])"), "a.gltf: accessors[0] is no object");
     EXPECT_EQ(with(R"("nodes":[{},{"mesh":2}],"meshes":[{},{}])"),
               "a.gltf: nodes[1].mesh is 2, and there are 2 meshes");
@@ -149,10 +149,67 @@ TEST(Gltf, JsonThatCannotBeMeantIsRefusedWithItsPlace) {
               "a.gltf: nodes[0].matrix is no array of 16 numbers");
     EXPECT_EQ(with(R"("nodes":[{"scale":[1,2,"x"]}])"), "a.gltf: nodes[0].scale is no number");
     EXPECT_EQ(with(R"("nodes":[{"extensions":[]}])"), "a.gltf: nodes[0].extensions is no object");
-    EXPECT_EQ(with(R"("materials":[{"doubleSided":1}])"),
-              "a.gltf: materials[0].doubleSided is neither true nor false");
+    EXPECT_EQ(with(R"("accessors":[{"componentType":5126,"normalized":1}])"),
+              "a.gltf: accessors[0].normalized is neither true nor false");
     EXPECT_EQ(with(R"("images":[{"uri":1}])"), "a.gltf: images[0].uri is no text");
     EXPECT_EQ(with(R"("scene":1,"scenes":[{}])"), "a.gltf: scene is 1, and there are 1 scenes");
+}
+
+// What is never asked for does not cost the file.
+TEST(Gltf, WhatNobodyReadsMayBeWrong) {
+    GltfBuilder b;
+    b.triangle();
+    b.accessors.emplace_back(R"({"componentType":5124,"type":"SCALAR","count":3})");
+    b.accessors.emplace_back(R"({"componentType":5126,"type":"VEC5","count":3})");
+    b.primitive(R"("attributes":{"POSITION":0,"TANGENT":99,"_A":"x"},"indices":null)");
+    b.nodes = R"({"mesh":0,"skin":null,"camera":5})";
+    b.views.emplace_back(R"({"buffer":8,"byteLength":4})");
+    b.accessors.emplace_back(R"({"bufferView":9,"componentType":5126,"type":"VEC3","count":3})");
+    b.accessors.emplace_back(R"({"bufferView":1,"componentType":5126,"type":"VEC3","count":3})");
+    b.scenes = R"({"nodes":[0]},{"nodes":[7]})";
+    b.more = R"(,"scene":null,"images":[{"bufferView":9}],"skins":[{"joints":[9]}])";
+    const GltfRead r = read_gltf_file(b.glb());
+    ASSERT_TRUE(r.result) << r.error();
+    EXPECT_EQ(r.warnings, "");
+    EXPECT_EQ(r.mesh().faces(), 1u);
+    b.primitives = {R"({"attributes":{"POSITION":0,"NORMAL":2}})"};
+    EXPECT_EQ(read_gltf_file(b.glb()).warnings,
+              "a.glb: accessors[2].type is 'VEC5', which is none of glTF's; drawn without NORMAL");
+    const auto error = [&](const std::string& primitive) {
+        b.primitives = {"{" + primitive + "}"};
+        return read_gltf_file(b.glb()).error();
+    };
+    EXPECT_EQ(error(R"("attributes":{"POSITION":1})"),
+              "a.glb: accessors[1].componentType is 5124, which is none of glTF's");
+    EXPECT_EQ(error(R"("attributes":{"POSITION":3})"),
+              "a.glb: accessors[3].bufferView is 9, and there are 2 bufferViews");
+    EXPECT_EQ(error(R"("attributes":{"POSITION":4})"),
+              "a.glb: bufferViews[1].buffer is 8, and there are 1 buffers");
+    EXPECT_EQ(error(R"("attributes":{"POSITION":0,"NORMAL":"x"})"),
+              "a.glb: meshes[0].primitives[0].NORMAL is no whole number from 0 to 2147483647: left "
+              "out");
+    EXPECT_EQ(error(R"("attributes":{"POSITION":0},"mode":"x")"),
+              "a.glb: meshes[0].primitives[0].mode is no whole number from 0 to 65535");
+    EXPECT_EQ(error(R"("attributes":{"POSITION":0,"NORMAL":null})"), "no error");
+}
+
+// A node of no size, or that skins wrongly, is placed all the same.
+TEST(Gltf, NodesThatFlattenOrNameNoSkinAreDrawn) {
+    GltfBuilder b;
+    const int floats = b.triangle();
+    b.primitive(fmt::format(R"("attributes":{{"POSITION":{},"NORMAL":{}}})", floats, floats));
+    b.nodes = R"({"mesh":0,"scale":[0,0,0]})";
+    const GltfRead flat = read_gltf_file(b.glb());
+    ASSERT_TRUE(flat.result) << flat.error();
+    EXPECT_EQ(flat.mesh().positions, std::vector<DVec3>(3, DVec3(0)));
+    EXPECT_EQ(flat.mesh().normals, std::vector<Vec3>(3, Vec3(0)));
+    b.nodes = R"({"mesh":0,"skin":3},{"children":[0,0]})"; // named twice is once
+    EXPECT_EQ(read_gltf_file(b.glb()).warnings,
+              "a.glb: nodes[0].skin is 3, and there are 0 skins; drawn without");
+    b.nodes = R"({"mesh":0,"skin":0})";
+    b.more = R"(,"skins":[{"joints":[9]}])";
+    EXPECT_THAT(read_gltf_file(b.glb()).warnings,
+                HasSubstr("a.glb: skins[0].joints is 9, and there are 1 nodes; drawn without it"));
 }
 
 TEST(Gltf, JsonThatIsNoneSaysWhy) {
