@@ -250,7 +250,7 @@ TEST(GltfDraco, ManyFacesAreRefusedBeforeMemoryIsTaken) {
     EXPECT_TRUE(read_draco(square.bytes, square, true, how).result);
 }
 
-// The extension holds meshes alone (Khronos 2018).
+// The extension holds meshes alone (Google 2018).
 TEST(GltfDraco, APointCloudIsRefused) {
     draco::PointCloudBuilder builder;
     builder.Start(3);
