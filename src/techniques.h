@@ -22,7 +22,7 @@
 #define SCANOUT_SHADING(X) X(flat) X(gouraud) X(per_pixel_raw) X(per_pixel)
 #define SCANOUT_COLOUR_BY(X) X(light) X(normal) X(depth) X(side) X(material) X(part)
 #define SCANOUT_SIDES(X) X(one_sided) X(two_sided)
-#define SCANOUT_CULL(X) X(none) X(back) X(front)
+#define SCANOUT_CULL(X) X(material) X(none) X(back) X(front)
 #define SCANOUT_DEPTH(X) X(fixed_16) X(fixed_24) X(float_32) X(reversed)
 #define SCANOUT_DEPTH_TEST(X)                                                                      \
     X(equal) X(always) X(never) X(less) X(less_equal) X(greater_equal) X(greater)

@@ -316,7 +316,7 @@ std::string_view name_of(scene::Projection projection) {
 }
 
 std::string_view name_of(frame::Cull cull) {
-    constexpr std::array<std::string_view, 3> kNames = {"none", "back", "front"};
+    constexpr std::array<std::string_view, 4> kNames = {"material", "none", "back", "front"};
     return kNames[static_cast<std::size_t>(cull)];
 }
 

@@ -106,9 +106,10 @@ Result<trace::Look> look_of(const frame::FramePlan& plan) {
     look.width = plan.shown_width;
     look.height = plan.shown_height;
     look.background = plan.options.background;
-    look.left = plan.options.cull == frame::Cull::none   ? trace::Left::none
-                : plan.options.cull == frame::Cull::back ? trace::Left::backs
-                                                         : trace::Left::fronts;
+    look.left = plan.options.cull == frame::Cull::back    ? trace::Left::backs
+                : plan.options.cull == frame::Cull::front ? trace::Left::fronts
+                                                          : trace::Left::none;
+    look.one_sided = plan.one_sided;
     look.turned_to_eye = plan.sides != shade::Sides::file;
     look.maps = maps_read(plan);
     look.edges = edges_of(plan.wrap);

@@ -99,7 +99,10 @@ textbook::Look textbook_look_of(const frame::FramePlan& plan) {
     look.height = plan.shown_height;
     look.background = plan.options.background;
     look.lights = plan.lights;
-    look.left = static_cast<textbook::Left>(plan.options.cull);
+    look.left = plan.options.cull == frame::Cull::back    ? textbook::Left::backs
+                : plan.options.cull == frame::Cull::front ? textbook::Left::fronts
+                                                          : textbook::Left::none;
+    look.one_sided = plan.one_sided;
     look.two_sided = plan.sides != shade::Sides::file;
     look.textures = is_on("texture");
     look.vertex_colours = plan.attributes.colour;

@@ -30,6 +30,12 @@ scene::UpAxis next_axis(scene::UpAxis up) {
     return kCycle[static_cast<std::size_t>(here + 1) % kCycle.size()];
 }
 
+// What the file says comes first.
+frame::Cull next_culling(frame::Cull cull) {
+    using enum frame::Cull;
+    return cull == material ? back : cull == back ? front : cull == front ? none : material;
+}
+
 // The technique after this one on its axis, in the order of techniques.h.
 std::string next_on(std::string_view axis, std::string_view now) {
     const std::vector<std::string_view> names = frame::names_on(axis);
@@ -337,7 +343,7 @@ void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
         look.up = next_axis(look.up);
         return;
     case ActionId::cull_next:
-        look.cull = static_cast<frame::Cull>((static_cast<int>(look.cull) + 1) % 3);
+        look.cull = next_culling(look.cull);
         return;
     case ActionId::colour_next:
         look.colour_by = next_on("colour_by", look.colour_by);

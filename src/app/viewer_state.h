@@ -22,7 +22,7 @@ struct Look {
     int view = -1; // index into kViews; -1: the command line's camera
     scene::Projection projection = scene::Projection::perspective;
     scene::UpAxis up = scene::UpAxis::plus_y;
-    frame::Cull cull = frame::Cull::none;
+    frame::Cull cull = frame::FrameOptions().cull;
     std::string edges = "none";                // over the shading: a technique of that axis
     std::string colour_by = "light";           // likewise
     frame::Annotations annotations;            // likewise

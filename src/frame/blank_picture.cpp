@@ -23,6 +23,13 @@ bool is_unseen(const FramePlan& plan, std::int32_t material) {
            modes[static_cast<std::size_t>(material + 1)] == raster::AlphaMode::nothing;
 }
 
+bool is_culled(const FramePlan& plan, std::int32_t material, bool back) {
+    if (plan.options.cull == Cull::front) return !back;
+    const bool one_sided =
+        !plan.one_sided.empty() && plan.one_sided[static_cast<std::size_t>(material + 1)] != 0;
+    return back && (plan.options.cull == Cull::back || one_sided);
+}
+
 // In the model's own coordinates: turned ones are rounded. A height below 2^-40 of the sides is
 // none.
 bool has_no_area(const geom::Mesh& mesh, std::size_t triangle) {
@@ -52,8 +59,7 @@ Triangles sorted_out(const scene::Scene& scene, const scene::View& view, const F
         } else if (std::abs(away) <= kEdgeOn * length(n) * length(sight)) {
             ++found.edge_on;
             found.edge_on_normal = n;
-        } else if (plan.options.cull != Cull::none &&
-                   (away > 0) == (plan.options.cull == Cull::back)) {
+        } else if (is_culled(plan, mesh.material[i], away > 0)) {
             ++found.culled;
         } else {
             ++found.others;
@@ -115,6 +121,9 @@ std::string say_why(const scene::Scene& scene, const scene::View& view, scene::U
         return "the materials are clear (d, Tr or the alpha of maps is 0); "
                "--effect blending=off draws them opaque";
     case Blank::culled:
+        if (!plan.decision("cull")->forced)
+            return "the file says that its materials are one-sided, and shows their backs from "
+                   "here; say --cull none";
         return fmt::format("--cull {} leaves out all faces that look this way; say --cull none",
                            o.cull == Cull::back ? "back" : "front");
     case Blank::edge_on:

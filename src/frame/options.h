@@ -33,7 +33,7 @@ struct FrameOptions {
     int width = 1280, height = 720;
     int samples = 1;           // a pixel: 1, 2, 4, 8, 16
     bool samples_asked = true; // false: a default, of which nobody is told that it changes nothing
-    Cull cull = Cull::none;
+    Cull cull = Cull::material;
     image::Rgba8 background{48, 51, 56, 255};
     // A technique by name for each axis that is asked (src/techniques.h): interpolate, texture,
     // wrap ...; "auto" lets the plan decide from the scene; for aa, `samples` does.

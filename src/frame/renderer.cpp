@@ -408,10 +408,11 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
                                     aa.samples,
                                     aa.exact,
                                     tile_size,
-                                    plan.transparency.alpha_modes};
+                                    plan.transparency.alpha_modes,
+                                    plan.one_sided};
     // Occlusion culling needs triangles that all occlude by the default depth rule.
-    const bool occludes = plan.transparency.alpha_modes.empty() && !aa.exact &&
-                          plan.depth_rule.is_default() && plan.stencil == nullptr;
+    const bool occludes = plan.transparency.alpha_modes.empty() && plan.one_sided.empty() &&
+                          !aa.exact && plan.depth_rule.is_default() && plan.stencil == nullptr;
     if (occludes) options.occlusion = &s.occlusion;
     options.all_vertices = plan.annotations.any();
     options.centres = plan.occlusion != nullptr;

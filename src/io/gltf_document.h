@@ -91,7 +91,7 @@ struct MaterialInfo {
     TextureInfo base_texture, metallic_roughness, normal, emissive_texture;
     AlphaMode alpha_mode = AlphaMode::opaque;
     double alpha_cutoff = 0.5;
-    bool unlit = false;
+    bool double_sided = false, unlit = false;
 };
 
 using scene::Wrap;

@@ -177,6 +177,7 @@ MaterialInfo read_material(JsonReader& in, Json o) {
                    : mode == "BLEND" ? AlphaMode::blend
                                      : AlphaMode::opaque;
     m.alpha_cutoff = in.number(o, "alphaCutoff", 0.5);
+    m.double_sided = in.flag(o, "doubleSided");
     m.unlit = in.extension(o, "KHR_materials_unlit").there();
     return m;
 }

@@ -99,6 +99,7 @@ scene::Material LookReader::material(const MaterialInfo& m) {
         if (first->texture >= 0) uv_ = uv_of(*first);
     scene::Material out;
     out.name = m.name;
+    out.one_sided = !m.double_sided;
     const bool opaque = m.alpha_mode == AlphaMode::opaque;
     out.diffuse = colour_of(m.base_colour.data(), 1, 1);
     out.opacity = opaque ? 1 : clamped(m.base_colour[3], 1);

@@ -57,6 +57,7 @@ struct ReadModel {
     double done = 0;                   // of all, when this is read
     std::vector<std::uint32_t> face_lines, position_lines; // of ModelSource
     std::vector<std::string> cameras;                      // of the scene
+    bool unnamed_one_sided = false; // what the file gives no material shows no back
 };
 
 using Reader = Result<ReadModel> (*)(std::string_view file, const std::string& path,
@@ -157,6 +158,7 @@ Result<ReadModel> read_gltf_model(std::string_view file, const std::string& path
     model.materials.textures = std::move(gltf.textures);
     model.materials.bytes = gltf.bytes;
     model.cameras = std::move(gltf.cameras);
+    model.unnamed_one_sided = true; // as glTF's default material
     count(model, std::move(gltf.polygons), gltf.skipped);
     return model;
 }
@@ -238,7 +240,9 @@ void light_vertex_colours_whole(ReadModel& model) {
                 material = white;
                 used = true;
             }
-    if (used) model.materials.materials.push_back(scene::unnamed_material(Vec3(1)));
+    if (!used) return;
+    model.materials.materials.push_back(scene::unnamed_material(Vec3(1)));
+    model.materials.materials.back().one_sided = model.unnamed_one_sided;
 }
 
 // Rounding to a few decimals moves vertices off the edges that they lie in, and the background
@@ -301,6 +305,7 @@ Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& o
     scene.mesh = std::move(built.mesh);
     scene.materials = std::move(model.materials.materials);
     scene.unnamed = scene::unnamed_material(options.unnamed_colour);
+    scene.unnamed.one_sided = model.unnamed_one_sided;
     scene.textures = std::move(model.materials.textures);
     scene.cameras = std::move(model.cameras);
     scene.counts = model.counts;

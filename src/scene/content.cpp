@@ -75,7 +75,7 @@ void add(const Material& m, ContentHasher& hash) {
                 m.emission, m.refraction, m.illumination);
     hash.optional(m.roughness);
     hash.optional(m.metalness);
-    hash.value(m.unlit);
+    hash.values(m.unlit, m.one_sided);
     hash.optional(m.alpha_cut);
     for (const NamedMap& row : kTextureMaps)
         add(*(m.*row.map), hash);

@@ -73,6 +73,7 @@ struct Material {
     float shininess = 0;                       // Ns
     float opacity = 1;                         // d, or 1 - Tr
     bool unlit = false;                        // its colour is seen as it is, whatever the light
+    bool one_sided = false;                    // glTF: its back is not seen
     std::optional<float> alpha_cut;            // glTF: seen where alpha reaches it, whole; else not
     Vec3 transmission{1};                      // Tf
     Vec3 emission{0};                          // Ke

@@ -61,10 +61,10 @@ void turn_to_eye(std::array<Vertex, 3>& t, bool perspective) {
 // One face's way through the pipeline: cut, divide, cut on the screen, and keep what shows.
 class Assembler {
 public:
-    Assembler(const Projection& projection, const Look& look, Clip clip, const Conventions& c,
-              bool mirrored)
-        : projection_(projection), planes_(projection.planes()), look_(look), clip_(clip),
-          conventions_(c), mirrored_(mirrored) {}
+    Assembler(const geom::Mesh& mesh, const Projection& projection, const Look& look, Clip clip,
+              const Conventions& c, bool mirrored)
+        : mesh_(mesh), projection_(projection), planes_(projection.planes()), look_(look),
+          clip_(clip), conventions_(c), mirrored_(mirrored) {}
 
     void add(const std::array<Vertex, 3>& t, std::uint32_t source,
              std::vector<Triangle>& out) const {
@@ -112,12 +112,14 @@ private:
         const Points p = points_of(t);
         const double area = twice_area(p[0], p[1], p[2]); // above 0: clockwise
         const bool front = ((area > 0) == conventions_.clockwise_front) != mirrored_;
-        if (area == 0 || (look_.left == Left::backs && !front) ||
-            (look_.left == Left::fronts && front))
-            return;
+        const auto material = static_cast<std::size_t>(mesh_.material[t.source] + 1);
+        const bool one_sided = look_.left == Left::backs ||
+                               (!look_.one_sided.empty() && look_.one_sided[material] != 0);
+        if (area == 0 || (one_sided && !front) || (look_.left == Left::fronts && front)) return;
         out.push_back(t);
     }
 
+    const geom::Mesh& mesh_;
     const Projection& projection_;
     std::vector<Plane> planes_;
     const Look& look_;
@@ -132,7 +134,7 @@ std::vector<Triangle> assemble(const geom::Mesh& mesh, const scene::View& view, 
                                const Parts& parts) {
     const auto [n, f] = near_and_far(mesh, view);
     const Projection projection(view, parts, n, f);
-    const Assembler assembler(projection, look, parts.clip, parts.conventions, view.mirrored);
+    const Assembler assembler(mesh, projection, look, parts.clip, parts.conventions, view.mirrored);
     std::vector<Triangle> triangles;
     for (std::size_t t = 0; t < mesh.triangles(); ++t) {
         std::array<Vertex, 3> corners;

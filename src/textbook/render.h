@@ -21,7 +21,8 @@ struct Look {
     image::Rgba8 background{0, 0, 0, 255};
     std::vector<scene::Light> lights;
     Left left = Left::none;
-    bool two_sided = true; // normals turn towards the eye
+    std::vector<std::uint8_t> one_sided; // 1: backs are left out; the default one first; or empty
+    bool two_sided = true;               // normals turn towards the eye
     bool textures = true, vertex_colours = true, highlights = true;
 };
 

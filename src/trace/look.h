@@ -30,7 +30,8 @@ struct Look {
     int width = 0, height = 0;
     image::Rgba8 background{0, 0, 0, 255};
     Left left = Left::none;
-    bool turned_to_eye = true; // normals: the side of a face that the eye sees is lit
+    std::vector<std::uint8_t> one_sided; // 1: backs are left out; the default one first; or empty
+    bool turned_to_eye = true;           // normals: the side of a face that the eye sees is lit
 
     // Materials. Those of a scene by number, and the default one, where a list has one more, last.
     MapsRead maps;

@@ -52,6 +52,7 @@ void World::sort_out() {
         const bool front = view_->mirrored ? towards < 0 : towards > 0;
         left_out_[i] = in_list(look_->alpha, of_list(i)) == Alpha::nothing ||
                        (look_->left == Left::backs && !front) ||
+                       (!look_->one_sided.empty() && look_->one_sided[of_list(i)] != 0 && !front) ||
                        (look_->left == Left::fronts && front);
         const Alpha casts = in_list(look_->casts, of_list(i));
         casters_[i] = casts == Alpha::nothing ? 0 : 1;

@@ -92,6 +92,10 @@ std::vector<Shot> gltf_shots() {
         for (int x = 0; x < picture.width(); ++x)
             picture.at(x, y).a = static_cast<std::uint8_t>(255 * x / picture.width());
     shots.push_back(own_cuts_over_a_floor());
+    shots.push_back(test::bowl("one_sided", frame::Cull::material)); // and a square of two
+    shots.back().scene.materials[0].one_sided = true;
+    shots.back().scene.materials.push_back(test::plain({0.9F, 0.3F, 0.2F}));
+    test::add_square(shots.back().scene.mesh, 0.4F, 0.1F, 1);
     return shots;
 }
 

@@ -180,7 +180,7 @@ TEST_F(Session, CullingThatChangesNoPixelSaysSo) {
     settings.camera.elevation_degrees = 50;
     settings.frame.cull = frame::Cull::back;
     const image::Image culled = rendered({});
-    settings.frame.cull = frame::Cull::none;
+    settings.frame.cull = frame::Cull::material;
     EXPECT_EQ(last_frame({{100ms, {press(XKB_KEY_c)}}, {300ms, {quit()}}}),
               with_message(culled, "faces left out: back"));
 }

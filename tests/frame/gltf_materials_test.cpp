@@ -54,6 +54,72 @@ TEST(GltfMaterials, WhereAllIsUnlitNothingIsLit) {
     EXPECT_NE(planned().decision("shading")->because, why);
 }
 
+// A bowl of one material and a square of another, seen from many sides.
+Shot bowl_and_square() {
+    Shot s = bowl("sides", frame::Cull::material);
+    s.scene.materials.push_back(plain({0.9F, 0.3F, 0.2F}));
+    add_square(s.scene.mesh, 0.8F, 0.1F, 1);
+    return s;
+}
+
+TEST(GltfMaterials, TheBackOfAOneSidedMaterialIsNotSeen) {
+    int hidden = 0;
+    for (const bool bowl_alone : {false, true})
+        for (const double azimuth : {0.0, 70.0, 180.0, 250.0})
+            for (const double elevation : {-60.0, 35.0})
+                for (const char* aa : {"none", "samples_4", "area", "supersampling_2"})
+                    for (const bool mirrored : {false, true}) {
+                        Shot s = bowl_and_square();
+                        s.options.aa = aa;
+                        s.camera.azimuth_degrees = azimuth;
+                        s.camera.elevation_degrees = elevation;
+                        if (mirrored) s.model.scale = DVec3(-1, 1, 1);
+                        s.scene.materials[0].one_sided = bowl_alone;
+                        s.scene.materials[1].one_sided = !bowl_alone;
+                        const image::Image found = draw(s);
+                        Shot whole = s;
+                        whole.options.cull = frame::Cull::none;
+                        hidden += draw(whole) != found ? 1 : 0;
+                        // Without the triangles that turn away it is the same picture.
+                        const scene::View view =
+                            *scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {},
+                                              s.options.width, s.options.height);
+                        const std::vector<bool> away = frame::back_facing(s.scene.mesh, view);
+                        for (std::size_t t = 0; t < away.size(); ++t)
+                            if (away[t] && (s.scene.mesh.material[t] == 0) == bowl_alone)
+                                for (std::size_t k = 0; k < 3; ++k)
+                                    whole.scene.mesh.index[3 * t + k] =
+                                        whole.scene.mesh.index[3 * t];
+                        EXPECT_EQ(draw(whole), found) << aa << azimuth << elevation << mirrored;
+                    }
+    EXPECT_GT(hidden, 40);
+}
+
+TEST(GltfMaterials, TheOptionDecidesOverTheMaterials) {
+    Shot s = bowl_and_square();
+    const auto row = [&] {
+        return *frame::plan(s.options, frame::facts(s.scene))->decision("cull");
+    };
+    EXPECT_EQ(row().technique, "none");
+    EXPECT_EQ(row().because, "no material is one-sided");
+    const image::Image both = draw(s);
+    s.scene.materials[0].one_sided = true;
+    EXPECT_EQ(row().technique, "material");
+    EXPECT_EQ(row().because.substr(row().because.find(" triangles")),
+              " triangles have a one-sided material");
+    EXPECT_NE(draw(s), both);
+    s.scene.materials[1].one_sided = true;
+    EXPECT_EQ(row().technique, "back");
+    EXPECT_EQ(row().because, "every material is one-sided");
+    const image::Image fronts = draw(s);
+    s.options.cull = frame::Cull::none;
+    EXPECT_EQ(row().because, "as asked");
+    EXPECT_EQ(draw(s), both);
+    s.scene.materials[0].one_sided = s.scene.materials[1].one_sided = false;
+    s.options.cull = frame::Cull::back;
+    EXPECT_EQ(draw(s), fronts);
+}
+
 // Alpha 150 of 255 everywhere, which neither blends nor asks --alpha-cut.
 TEST(GltfMaterials, ACutOfItsOwnDecidesWhole) {
     Shot s = wrapped_square("cut", "auto");

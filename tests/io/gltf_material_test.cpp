@@ -185,6 +185,14 @@ TEST(GltfMaterial, ATextureTransformMovesTheCoordinates) {
     EXPECT_NEAR(r.mesh().uvs[0].y, 1.5, 1e-12);
 }
 
+TEST(GltfMaterial, ASideIsLeftOutUnlessTheFileSaysBoth) {
+    for (const bool both : {false, true})
+        EXPECT_EQ(read_gltf_file(textured(both ? R"({"doubleSided":true})" : "{}").glb())
+                      .result->materials[0]
+                      .one_sided,
+                  !both);
+}
+
 TEST(GltfMaterial, ATextureTransformOfScaleZeroShowsOneTexel) {
     const GltfRead r = read_gltf_file(
         textured(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":)"

@@ -51,6 +51,7 @@ TEST(Content, WhateverAPictureDependsOnChangesTheHash) {
         [](Scene& s) { s.materials[1].map_diffuse.edit().wrap_u = Wrap::clamp; },
         [](Scene& s) { s.materials[1].map_diffuse.edit().wrap_v = Wrap::mirror; },
         [](Scene& s) { s.materials[1].unlit = true; },
+        [](Scene& s) { s.materials[1].one_sided = true; },
         [](Scene& s) { s.materials[1].alpha_cut = 0.5F; },
         [](Scene& s) { s.materials.pop_back(); },
         [](Scene& s) { s.textures[0].image.at(1, 2).g = 7; },

@@ -435,6 +435,7 @@ inline std::vector<Shot> golden_shots() {
     for (const std::string& name : names_on("cull")) {
         shots.push_back(bowl("cull_" + name, frame::Cull::none));
         frame::ask(shots.back().options, "cull", name);
+        shots.back().scene.materials[0].one_sided = name == "material";
     }
     shots.push_back(solids("perspective"));
     shots.push_back(solids("orthographic"));

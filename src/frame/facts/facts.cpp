@@ -18,6 +18,9 @@ public:
             ++(material < 0 ? unnamed_ : uses_[static_cast<std::size_t>(material)]);
         }
     }
+    std::size_t all() const {
+        return count([](const scene::Material&) { return true; });
+    }
     bool all_have_materials() const { return unnamed_ == 0; }
 
     // Notes the materials for which `calls` holds under the effect's name; returns how many
@@ -106,6 +109,13 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
         surface.constant = maps.constant(surface.texture.texture);
     const Census census(scene);
     facts.unlit_triangles = census.count([](const scene::Material& m) { return m.unlit; });
+    facts.all_unlit = facts.unlit_triangles > 0 && facts.unlit_triangles == census.all();
+    facts.one_sided_triangles = census.count([](const scene::Material& m) { return m.one_sided; });
+    facts.all_one_sided =
+        facts.one_sided_triangles > 0 && facts.one_sided_triangles == census.all();
+    facts.one_sided = {std::uint8_t{scene.unnamed.one_sided}};
+    for (const scene::Material& m : scene.materials)
+        facts.one_sided.push_back(std::uint8_t{m.one_sided});
     facts.specular_triangles = census.count(
         facts.materials_of, "highlight", [&](const scene::Material& m) { return maps.shines(m); });
     SceneFacts::ByKs& by_ks = facts.by_ks;

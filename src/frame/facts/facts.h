@@ -30,6 +30,10 @@ struct SceneFacts {
     DVec3 box_size{0};                         // of the bounding box, file units
     double radius = 0.5;                       // of the framing sphere: they place lights
     std::size_t unlit_triangles = 0;           // no light changes their material
+    bool all_unlit = false;                    // of those that have an area
+    std::size_t one_sided_triangles = 0;       // the back of their material is not seen
+    bool all_one_sided = false;                // of those that have an area
+    std::vector<std::uint8_t> one_sided;       // 1: of the default material, then of each
     std::size_t specular_triangles = 0;        // material has a highlight, after its maps
     std::size_t physical_triangles = 0;        // their material states a roughness or metalness
     std::optional<std::int32_t> only_material; // of all primitives, where all are triangles

@@ -101,14 +101,16 @@ void AnnotationPass::run(Jobs& jobs, const scene::Scene& scene, const FramePlan&
     lines_.mesh = &mesh_;
     raster::GeometryOptions own = options;
     own.alpha_modes = {};
+    own.one_sided = {};
     own.occlusion = nullptr;
     own.first_line = lines_.first_id;
     own.line_width = plan.options.line_width * scale;
     own.point_size = std::max(plan.options.point_size, kPointSize) * scale;
     geometry_.run(jobs, mesh_, transform, own);
     raster::CullOptions cull;
-    cull.keep = options.keep;
+    cull.keep = options.one_sided.empty() ? options.keep : raster::Facing::front;
     cull.mirrored = options.mirrored;
+    one_sided_ = options.one_sided;
     culled_.reset();
     if (!raster::keeps_facing(cull, true)) culled_ = raster::LineSupport::Winding::clockwise;
     if (!raster::keeps_facing(cull, false))
@@ -117,7 +119,8 @@ void AnnotationPass::run(Jobs& jobs, const scene::Scene& scene, const FramePlan&
 
 void AnnotationPass::draw(int tile, const raster::Geometry& scene,
                           raster::VisibilityTile& out) const {
-    geometry_.draw_lines(tile, scene.line_support().of(mesh_, lines_.first_id, culled_), out);
+    geometry_.draw_lines(tile, scene.line_support().of(mesh_, lines_.first_id, culled_, one_sided_),
+                         out);
 }
 
 std::uint64_t AnnotationPass::bytes() const {

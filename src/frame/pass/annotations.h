@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace scanout::frame {
 
@@ -44,6 +45,7 @@ private:
     shade::AddedLines lines_;
     raster::Geometry geometry_;
     std::optional<raster::LineSupport::Winding> culled_;
+    std::span<const std::uint8_t> one_sided_; // the plan's: faces of these alone are culled
 };
 
 } // namespace scanout::frame

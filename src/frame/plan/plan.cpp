@@ -83,6 +83,7 @@ static Result<FramePlan> plan_of_seen(const FrameOptions& options, const SceneFa
     plan.options = options;
     if (options.background.a == 0) plan.options.background = {0, 0, 0, 0}; // of no colour
     plan.only_material = facts.only_material;
+    plan_culling(plan, facts);
     Planner planner(options, plan);
     const shade::Stage& exact = shade::interpolate::perspective;
     TRY(const shade::Stage* const steps,

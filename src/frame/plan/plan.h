@@ -104,7 +104,10 @@ struct FramePlan {
     const Stencil* stencil = nullptr; // null: there is no buffer of marks either
     AnnotationPlan annotations;
     const shade::ColourBy* colours = nullptr; // what colours say in place of light; null: light
-    raster::DepthRule depth_rule;             // which of several surfaces is visible
+    // 1: its back faces are left out; of the default material, then of each. Empty: options.cull
+    // holds for all.
+    std::vector<std::uint8_t> one_sided;
+    raster::DepthRule depth_rule; // which of several surfaces is visible
     // How each kind of surface reflects: what the shading stage calls.
     std::array<const shade::Stage*, scene::kSurfaces> reflection{};
     // As in MaterialSet: 1 where maps leave no highlight, whatever the material says. Empty:

@@ -112,11 +112,13 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
 
 // Why back faces may be visible, or why not, of a mesh whose faces have normals on their fronts.
 std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& options,
-                                   const ViewFacts& view) {
+                                   const ViewFacts& view, bool by_material) {
     const geom::MeshTopology& topology = facts.topology;
     const Cull cull = options.cull;
     if (cull == Cull::front) return {true, "backs alone are drawn (--cull front)"};
-    if (cull == Cull::back) return {false, "backs are left out (--cull back)"};
+    if (cull == Cull::back)
+        return {false, by_material ? "backs are left out: every material is one-sided"
+                                   : "backs are left out (--cull back)"};
     const raster::DepthTestRow& test =
         row_or(raster::depth_test::kRows, options.depth_test, raster::depth_test::greater);
     if (!test.shows)
@@ -160,7 +162,7 @@ void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts, cons
         : reversed > 0 ? std::pair(true, fmt::format("the normals of {} of {} triangles point to "
                                                      "their back",
                                                      reversed, facts.triangles))
-                       : backs(facts, plan.options, view);
+                       : backs(facts, plan.options, view, planner.asked().cull == Cull::material);
     const bool on = planner.effect("two_sided", "on", needed, std::move(because));
     const shade::LitSides& lit = needed && !on ? shade::sides::one_sided : shade::sides::two_sided;
     plan.sides = reversed > 0 ? lit.reversed : lit.others;
@@ -173,8 +175,7 @@ const char* why_unlit(const FramePlan& plan, const SceneFacts& facts) {
     if (facts.triangles == 0) return "nothing is lit: there are no triangles";
     const auto emission = plan.options.effects.find("emission"); // off, it lights the unlit, too
     const bool as_lit = emission != plan.options.effects.end() && !emission->second;
-    if (facts.unlit_triangles == facts.triangles && !as_lit)
-        return "nothing is lit: every material is unlit";
+    if (facts.all_unlit && !as_lit) return "nothing is lit: every material is unlit";
     if (!some_light_shines(plan.options)) return kNoLight;
     if (facts.specular_triangles > 0) return nullptr;
     if (facts.brightest <= 0) return "nothing reflects light: Kd and Ks are black everywhere";

@@ -36,15 +36,38 @@ bool nothing_bends(const FramePlan& plan, const SceneFacts& facts, double bright
 
 } // namespace
 
+// A section opens closed models, whose insides are then meant to be seen.
+static bool is_cut_open(const SceneFacts& facts) {
+    return facts.section && facts.section->cuts;
+}
+
+void plan_culling(FramePlan& plan, const SceneFacts& facts) {
+    if (plan.options.cull != Cull::material) return;
+    if (facts.one_sided_triangles == 0 || is_cut_open(facts))
+        plan.options.cull = Cull::none;
+    else if (facts.all_one_sided)
+        plan.options.cull = Cull::back;
+    else
+        plan.one_sided = facts.one_sided;
+}
+
+static std::string why_culled(const SceneFacts& facts) {
+    return facts.one_sided_triangles == 0 ? "no material is one-sided"
+           : is_cut_open(facts)           ? "the section shows insides: backs are drawn"
+           : facts.all_one_sided          ? "every material is one-sided"
+                                 : fmt::format("{} of {} triangles have a one-sided material",
+                                               facts.one_sided_triangles, facts.triangles);
+}
+
 Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const FrameOptions& o = plan.options;
     const Technique& culling = raster::cull::kRows[static_cast<std::size_t>(o.cull)]->card;
     const std::string cull(culling.name);
-    planner.choice("cull", cull, asked_for(o, "cull"),
-                   facts.triangles == 0   ? "lines and points have no sides"
-                   : o.cull == Cull::none ? "files do not say whether their backs are meant to be "
-                                            "seen"
-                                          : "as asked",
+    const std::string asked_culling = asked_for(planner.asked(), "cull");
+    planner.choice("cull", cull, asked_culling,
+                   facts.triangles == 0     ? "lines and points have no sides"
+                   : is_auto(asked_culling) ? why_culled(facts)
+                                            : "as asked",
                    facts.triangles > 0);
     if (o.cull != Cull::none) plan.techniques.push_back(&culling);
     TRY(const raster::DepthFormatRow* const format,

@@ -30,6 +30,7 @@ void plan_counts(FramePlan& plan) {
     counts.options = plan.options;
     counts.shown_width = plan.shown_width;
     counts.shown_height = plan.shown_height;
+    counts.one_sided = std::move(plan.one_sided);
     counts.aa = &aa::none;
     counts.stencil = plan.stencil;
     for (const Technique* card : plan.techniques)

@@ -31,6 +31,7 @@ class Planner {
 public:
     Planner(const FrameOptions& options, FramePlan& plan) : options_(options), plan_(plan) {}
 
+    const FrameOptions& asked() const { return options_; }
     // Adds the row of an effect, decided by decide(); its techniques may be the rungs of an axis.
     bool effect(std::string name, std::string_view technique, bool needed, std::string because,
                 std::string_view axis = {});
@@ -59,6 +60,9 @@ void plan_filter(FramePlan& plan, const SceneFacts& facts, const scene::View& vi
 
 // map_Kd, or the computed texture that replaces it.
 Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& facts);
+// Which faces are left out, before it is decided what can be seen: options.cull becomes none or
+// back where the materials are of one mind.
+void plan_culling(FramePlan& plan, const SceneFacts& facts);
 // Why no light shows on anything; null where some does.
 const char* why_unlit(const FramePlan& plan, const SceneFacts& facts);
 // Depth in steps that may be as long as the model.

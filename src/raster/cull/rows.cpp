@@ -13,6 +13,13 @@ constexpr Technique card(std::string_view name, std::string_view blurb, std::str
 
 } // namespace
 
+// Culling "material": a file may say which surfaces have a back that is meant to be seen. The plan
+// makes it `none` or `back` where the materials are of one mind.
+constinit const CullRow material{
+    card("material", "back faces of materials that are one-sided, as glTF says, are left out",
+         "Khronos 2021"),
+    Facing::any};
+
 // Culling "none": closed models hide their own back faces, and files do not say which are closed.
 constinit const CullRow none{
     card("none", "every face, whichever way it is wound", "Segal and Akeley 1992"), Facing::any};

@@ -44,8 +44,10 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     point_size_ = options.point_size;
     transform_ = transform;
     alpha_modes_.assign(options.alpha_modes.begin(), options.alpha_modes.end());
+    one_sided_.assign(options.one_sided.begin(), options.one_sided.end());
+    CHECK(one_sided_.empty() || options.keep == Facing::any); // which marks back faces
     deferred_drawn_ = 0;
-    CHECK(options.occlusion == nullptr || alpha_modes_.empty());
+    CHECK(options.occlusion == nullptr || (alpha_modes_.empty() && one_sided_.empty()));
     CHECK_LE(mesh.position.size(), kMaxVertices);
     workers_.resize(static_cast<std::size_t>(jobs.threads()));
     for (WorkerBins& worker : workers_)
@@ -165,9 +167,15 @@ void Geometry::bin_triangles(WorkerBins& worker, std::size_t begin, std::size_t 
     const auto visible = std::span<const VisibleTriangle>(found.visible).first(found.visible_count);
     bin_small_triangles(grid_, visible, worker.binning);
     const std::span<TileBin> bins = worker.bins;
-    const bool not_opaque = !alpha_modes_.empty();
+    const bool not_opaque = !alpha_modes_.empty(), some_one_sided = !one_sided_.empty();
+    std::size_t left_out = 0;
     for (std::size_t i = 0; i < visible.size(); ++i) {
         const VisibleTriangle& t = visible[i];
+        if (some_one_sided && t.back_facing() &&
+            is_one_sided(mesh_->triangle_at(t.spatial_index))) {
+            ++left_out;
+            continue;
+        }
         if (not_opaque) {
             const std::uint32_t triangle = mesh_->triangle_at(t.spatial_index);
             const AlphaMode mode = alpha_mode_of(triangle);
@@ -195,7 +203,7 @@ void Geometry::bin_triangles(WorkerBins& worker, std::size_t begin, std::size_t 
                                 [&](std::size_t at) { bins[at].triangles.push_back(triangle); });
         }
     }
-    worker.triangles_drawn += visible.size();
+    worker.triangles_drawn += visible.size() - left_out;
     worker.has_clipped |= found.to_clip_count > 0;
     for (std::size_t i = 0; i < found.to_clip_count; ++i)
         bin_clipped(worker, mesh_->triangle_at(found.to_clip[i]));
@@ -233,8 +241,10 @@ ClippedTriangles Geometry::clipped_of(std::uint32_t triangle) const {
     const ClippedTriangles all = clip_triangle(
         {vertex(0), vertex(1), vertex(2)}, vertices_of(triangle), transform_->box.near_w, triangle);
     ClippedTriangles visible;
+    CullOptions cull = cull_;
+    if (is_one_sided(triangle)) cull.keep = Facing::front;
     for (const ClippedTriangle& clipped : all)
-        if (keeps_facing(cull_, clipped.clockwise))
+        if (keeps_facing(cull, clipped.clockwise))
             visible.triangle[static_cast<std::size_t>(visible.count++)] = clipped;
     return visible;
 }

@@ -38,6 +38,8 @@ struct GeometryOptions {
     int tile_size = kTileSize; // 8, 16, 32 or 64 pixels a side; pictures do not depend on it
     // Of the default material, then of each material of the scene. Empty: all are opaque.
     std::span<const AlphaMode> alpha_modes = {};
+    // Likewise: 1 where back faces are left out of what `keep`, then any, keeps. Empty: nowhere.
+    std::span<const std::uint8_t> one_sided = {};
     bool triangles_only = false; // no lines, no points
     bool all_vertices = false;   // are transformed, for lines that another mesh has
     // The id of the mesh's first line; 0: the triangles' ids come before it.
@@ -45,7 +47,7 @@ struct GeometryOptions {
     int line_width = 1, point_size = 1; // pixels
     // The occlusion history of the view. If given, clusters that were occluded are deferred, and
     // tiles are drawn by draw() or draw_triangles() into a VisibilityTile, by the default depth
-    // rule. Not with alpha modes.
+    // rule. Not with alpha modes, nor with one-sided materials.
     OcclusionHistory* occlusion = nullptr;
     bool centres = false; // tiles of one sample will be drawn as well
 };
@@ -124,6 +126,10 @@ private:
     AlphaMode alpha_mode_of(std::uint32_t triangle) const {
         return alpha_modes_[static_cast<std::size_t>(mesh_->material[triangle] + 1)];
     }
+    bool is_one_sided(std::uint32_t triangle) const {
+        return !one_sided_.empty() &&
+               one_sided_[static_cast<std::size_t>(mesh_->material[triangle] + 1)] != 0;
+    }
     std::uint32_t flags(std::uint32_t vertex) const;
     void bin_segment(WorkerBins& worker, std::uint32_t segment) const;
     void bin_point(WorkerBins& worker, std::uint32_t point) const;
@@ -136,6 +142,7 @@ private:
     const geom::Mesh* mesh_ = nullptr;         // of the last run
     std::optional<ScreenTransform> transform_; // likewise
     std::vector<AlphaMode> alpha_modes_;
+    std::vector<std::uint8_t> one_sided_;
     // 1 for each cluster that may be visible and is not deferred. Empty: all triangles may be.
     std::vector<std::uint8_t> visible_clusters_;
     OcclusionPass occlusion_;

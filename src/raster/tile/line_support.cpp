@@ -109,7 +109,9 @@ bool LineSupport::continues(std::uint32_t triangle, std::uint32_t first,
 bool LineSupport::faces_are_culled(std::uint32_t segment) const {
     const std::span<const std::uint32_t> faces = lines_->line_faces.of(segment - first_line_);
     return !faces.empty() && std::all_of(faces.begin(), faces.end(), [&](std::uint32_t first) {
-        return (winding(vertices_of(first)) > 0) == (*hidden_ == Winding::clockwise);
+        const auto material = static_cast<std::size_t>(mesh_->material[first] + 1);
+        return (one_sided_.empty() || one_sided_[material] != 0) &&
+               (winding(vertices_of(first)) > 0) == (*hidden_ == Winding::clockwise);
     });
 }
 

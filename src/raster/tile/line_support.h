@@ -30,13 +30,15 @@ public:
         : mesh_(&mesh), lines_(&mesh), first_line_(static_cast<std::uint32_t>(mesh.triangles())),
           vertices_(vertices), transform_(&transform) {}
     // Supports the lines and points of another mesh, with ids from first_line on; their faces are
-    // those of this one. hidden: which winding on the screen is culled of these.
-    LineSupport of(const geom::Mesh& lines, std::uint32_t first_line,
-                   std::optional<Winding> hidden) const {
+    // those of this one. hidden: which winding on the screen is culled of these; one_sided: 1 of
+    // the default material, then of each, where it is. Empty: everywhere.
+    LineSupport of(const geom::Mesh& lines, std::uint32_t first_line, std::optional<Winding> hidden,
+                   std::span<const std::uint8_t> one_sided = {}) const {
         LineSupport other = *this;
         other.lines_ = &lines;
         other.first_line_ = first_line;
         other.hidden_ = hidden;
+        other.one_sided_ = one_sided;
         return other;
     }
 
@@ -73,6 +75,7 @@ private:
     const geom::Mesh* lines_ = nullptr; // whose lines and points they are
     std::uint32_t first_line_ = 0;      // the id of the first
     std::optional<Winding> hidden_;
+    std::span<const std::uint8_t> one_sided_;
     std::span<const ScreenVertex> vertices_;
     const ScreenTransform* transform_ = nullptr;
 };
