@@ -1,8 +1,12 @@
 // Pictures of models by textbook renderers and by the production renderer, from the same view.
 #pragma once
 
+#include "io/load.h"
 #include "support/shot.h"
 #include "textbook/render.h"
+
+#include <cmath>
+#include <string>
 
 namespace scanout::textbook::test {
 
@@ -23,8 +27,20 @@ inline scene::View view_of(const Shot& shot) {
     EXPECT_TRUE(view);
     return view ? *view : scene::View{};
 }
+inline image::Image picture(const Shot& shot, const scene::View& view, const Parts& parts) {
+    return render(shot.scene, view, look_of(shot), parts).image;
+}
 inline image::Image picture(const Shot& shot, const Parts& parts = {}) {
-    return render(shot.scene, view_of(shot), look_of(shot), parts).image;
+    return picture(shot, view_of(shot), parts);
+}
+// Of the folder models.
+inline Shot shot_of_model(const std::string& name, int width, int height) {
+    Shot s = scanout::test::shot(name, width, height);
+    Warnings warnings;
+    auto scene = io::load(std::string(SCANOUT_SOURCE_DIR "/models/") + name, {}, warnings);
+    EXPECT_TRUE(scene) << name;
+    if (scene) s.scene = std::move(*scene);
+    return s;
 }
 inline Parts with(Hidden hidden) {
     Parts parts;
@@ -42,6 +58,34 @@ inline int different_pixels(const image::Image& a, const image::Image& b, int mo
         count += differ(p.r, q.r) || differ(p.g, q.g) || differ(p.b, q.b) ? 1 : 0;
     }
     return count;
+}
+
+// Three beams, each over the next one.
+inline Shot ring() {
+    Shot s = scanout::test::shot("ring", 96, 72);
+    for (int i = 0; i < 3; ++i) {
+        scene::Material m = scanout::test::plain(Vec3(0.05F));
+        m.diffuse[i] = 0.8F;
+        s.scene.materials.push_back(m);
+        // Of a triangle with long sides: a beam along one side, from low to high.
+        const double turn = 2 * 3.14159265358979 * i / 3;
+        const auto at = [&](double along, double across, double z) {
+            const double c = std::round(std::cos(turn) * 4096) / 4096,
+                         n = std::round(std::sin(turn) * 4096) / 4096;
+            return Vec3(static_cast<float>(along * c - across * n),
+                        static_cast<float>(along * n + across * c), static_cast<float>(z));
+        };
+        scanout::test::add_quad(s.scene.mesh,
+                                {at(-0.85, -0.4, -0.3), at(0.85, -0.4, 0.3), at(0.85, -0.15, 0.3),
+                                 at(-0.85, -0.15, -0.3)},
+                                {0, 0, 1}, i);
+    }
+    return s;
+}
+
+// Pixels that are not the background.
+inline int covered_pixels(const image::Image& picture, const Shot& shot) {
+    return different_pixels(picture, {picture.width(), picture.height(), shot.options.background});
 }
 
 } // namespace scanout::textbook::test

@@ -1,33 +1,8 @@
 // T5 [Compendium 6.1], [Course 4.3.1], [Primer 5.3.1]: faces that overlap in a ring, or cross.
 #include "textbook/trap_page.h"
 
-#include <cmath>
-
 namespace scanout::textbook::test {
 namespace {
-
-// Three beams, each over the next one.
-Shot ring() {
-    Shot s = scanout::test::shot("ring", 96, 72);
-    for (int i = 0; i < 3; ++i) {
-        scene::Material m = scanout::test::plain(Vec3(0.05F));
-        m.diffuse[i] = 0.8F;
-        s.scene.materials.push_back(m);
-        // Of a triangle with long sides: a beam along one side, from low to high.
-        const double turn = 2 * 3.14159265358979 * i / 3;
-        const auto at = [&](double along, double across, double z) {
-            const double c = std::round(std::cos(turn) * 4096) / 4096,
-                         n = std::round(std::sin(turn) * 4096) / 4096;
-            return Vec3(static_cast<float>(along * c - across * n),
-                        static_cast<float>(along * n + across * c), static_cast<float>(z));
-        };
-        scanout::test::add_quad(s.scene.mesh,
-                                {at(-0.85, -0.4, -0.3), at(0.85, -0.4, 0.3), at(0.85, -0.15, 0.3),
-                                 at(-0.85, -0.15, -0.3)},
-                                {0, 0, 1}, i);
-    }
-    return s;
-}
 
 // Two squares through each other.
 Shot cross() {

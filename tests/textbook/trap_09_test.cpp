@@ -23,7 +23,7 @@ Shot wall(bool decal_last) {
 
 image::Image naive(const Shot& s) {
     Parts parts = parts_of(Renderer::compendium); // an equal depth passes
-    return render(s.scene, scanout::test::pixel_view(64, 64), look_of(s), parts).image;
+    return picture(s, scanout::test::pixel_view(64, 64), parts);
 }
 
 TEST(Trap09, WhereEqualDepthsPassTheOrderOfDrawingDecidesAndFartherThan1000IsNothing) {

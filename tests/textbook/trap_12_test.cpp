@@ -1,16 +1,11 @@
 // T12 [Compendium 11.3]: a right-handed file in a left-handed renderer.
-#include "io/load.h"
 #include "textbook/trap_page.h"
 
 namespace scanout::textbook::test {
 namespace {
 
 TEST(Trap12, ARightHandedFileReadAsLeftHandedIsMirroredAndInsideOut) {
-    Warnings warnings;
-    auto scene = io::load(SCANOUT_SOURCE_DIR "/models/spot/spot.obj", {}, warnings);
-    ASSERT_TRUE(scene);
-    Shot s = scanout::test::shot("spot", 96, 72);
-    s.scene = std::move(*scene);
+    Shot s = shot_of_model("spot/spot.obj", 96, 72);
     s.camera.azimuth_degrees = 30;
     s.camera.elevation_degrees = 10;
     s.options.cull = frame::Cull::back;

@@ -59,7 +59,7 @@ TEST(Trap16, TheQuickInverseIsRightForRigidPosesAlone) {
         v.linear = back.axes;
         v.translation = back.place;
         v.normal = glm::transpose(glm::inverse(back.axes));
-        return render(s.scene, v, look_of(s), {}).image;
+        return picture(s, v, {});
     };
     const image::Image ours = seen_by(inverse(pose));
     // The scale of a camera changes nothing that it sees: all of the world is 1/1.25 as large and
