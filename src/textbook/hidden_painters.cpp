@@ -13,7 +13,7 @@ void hidden_painters(const HiddenTask& task, const Shade& shade) {
     for (const Triangle& t : task.triangles)
         order.push_back(&t);
     std::stable_sort(order.begin(), order.end(), [](const Triangle* a, const Triangle* b) {
-        return a->w_of_middle() > b->w_of_middle();
+        return a->distance_of_middle() > b->distance_of_middle();
     });
     for (const Triangle* t : order)
         fill_in_picture(task, *t, [&](int y, int x0, int x1) { shade(*t, y, x0, x1); });

@@ -1,7 +1,8 @@
 // The painter's algorithm with an order that is right wherever there is one: of two faces that meet
 // at a pixel the farther one is drawn first, whatever their middles say (after Newell et al. 1972,
 // who compare planes and cut faces where they must; here pixels are compared, and a
-// ring of faces is cut open at the one whose middle is farthest).
+// ring of faces is cut open at the one whose middle is farthest; never at a face that only waits
+// behind a ring).
 #include "textbook/hidden.h"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ public:
         }
     }
     // From far to near (Kahn 1962).
-    std::vector<std::size_t> sorted(std::vector<std::size_t> by_distance) {
+    std::vector<std::size_t> sorted(const std::vector<std::size_t>& by_distance) {
         std::vector<std::size_t> order;
         std::vector<bool> drawn(before_.size(), false);
         std::queue<std::size_t> free;
@@ -61,17 +62,38 @@ public:
         };
         for (const std::size_t t : by_distance)
             if (waits_[t] == 0) free.push(t);
-        for (auto next = by_distance.begin(); order.size() < before_.size();) {
+        for (;;) {
             for (; !free.empty(); free.pop())
                 draw(free.front());
-            while (next != by_distance.end() && drawn[*next])
-                ++next;
-            if (next != by_distance.end()) draw(*next); // a ring
+            if (order.size() == before_.size()) return order;
+            draw(first_of_ring(by_distance, drawn));
         }
-        return order;
     }
 
 private:
+    // All that is not drawn lies in rings or waits for one. From each face, the farthest first, all
+    // that lies over it is visited: the last face that no earlier one has reached waits for none
+    // but those of its own ring, of which it is the farthest (Kosaraju's order of a graph).
+    std::size_t first_of_ring(const std::vector<std::size_t>& by_distance,
+                              std::vector<bool> visited) const {
+        std::size_t last = 0;
+        for (const std::size_t face : by_distance)
+            if (!visited[face]) visit_from(last = face, visited);
+        return last;
+    }
+    void visit_from(std::size_t root, std::vector<bool>& visited) const {
+        visited[root] = true;
+        for (std::vector<std::size_t> open = {root}; !open.empty();) {
+            const std::size_t face = open.back();
+            open.pop_back();
+            for (const std::size_t after : before_[face])
+                if (!visited[after]) {
+                    visited[after] = true;
+                    open.push_back(after);
+                }
+        }
+    }
+
     std::vector<std::vector<std::size_t>> before_; // each triangle: those that lie over it
     std::vector<std::size_t> waits_;               // for how many
 };
@@ -83,7 +105,7 @@ void hidden_painters_ordered(const HiddenTask& task, const Shade& shade) {
     for (std::size_t i = 0; i < by_distance.size(); ++i)
         by_distance[i] = i;
     std::stable_sort(by_distance.begin(), by_distance.end(), [&](std::size_t a, std::size_t b) {
-        return task.triangles[a].w_of_middle() > task.triangles[b].w_of_middle();
+        return task.triangles[a].distance_of_middle() > task.triangles[b].distance_of_middle();
     });
     for (const std::size_t i : Order(task).sorted(by_distance))
         fill_in_picture(task, task.triangles[i],

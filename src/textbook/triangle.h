@@ -40,7 +40,11 @@ struct Corner {
 struct Triangle {
     std::array<Corner, 3> corner;
     std::uint32_t source = 0; // the mesh's triangle
-    double w_of_middle() const { return (corner[0].w + corner[1].w + corner[2].w) / 3; }
+    // From the plane of the eye. In perspective that is w; in an orthographic view w is 1.
+    double distance_of_middle() const {
+        constexpr std::size_t z = kPlace + 2;
+        return -(corner[0].values[z] + corner[1].values[z] + corner[2].values[z]) / 3;
+    }
 };
 
 // The corners where a pixel is a point with whole coordinates.
