@@ -7,10 +7,6 @@
 namespace scanout::textbook {
 namespace {
 
-DVec3 in_view(const scene::View& view, const Vec3& position) {
-    return view.linear * DVec3(position) + view.translation;
-}
-
 // From near to beyond the farthest vertex: pseudo-depth wants a far plane, and nothing is lost.
 std::pair<double, double> near_and_far(const geom::Mesh& mesh, const scene::View& view) {
     double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -88,7 +84,8 @@ public:
             for (const auto& piece : parts)
                 divided(piece);
         } else {
-            on_the_screen(clip_by_plane({t.begin(), t.end()}, planes_[0]), source, out);
+            on_the_screen(clip_by_plane({t.begin(), t.end()}, projection_.near_plane()), source,
+                          out);
         }
     }
 
@@ -112,11 +109,7 @@ private:
         const Points p = points_of(t);
         const double area = twice_area(p[0], p[1], p[2]); // above 0: clockwise
         const bool front = ((area > 0) == conventions_.clockwise_front) != mirrored_;
-        const auto material = static_cast<std::size_t>(mesh_.material[t.source] + 1);
-        const bool one_sided = look_.left == Left::backs ||
-                               (!look_.one_sided.empty() && look_.one_sided[material] != 0);
-        if (area == 0 || (one_sided && !front) || (look_.left == Left::fronts && front)) return;
-        out.push_back(t);
+        if (area != 0 && shows(front, look_, mesh_.material[t.source])) out.push_back(t);
     }
 
     const geom::Mesh& mesh_;
@@ -130,10 +123,14 @@ private:
 
 } // namespace
 
+Projection projection_of(const geom::Mesh& mesh, const scene::View& view, const Parts& parts) {
+    const auto [n, f] = near_and_far(mesh, view);
+    return {view, parts, n, f};
+}
+
 std::vector<Triangle> assemble(const geom::Mesh& mesh, const scene::View& view, const Look& look,
                                const Parts& parts) {
-    const auto [n, f] = near_and_far(mesh, view);
-    const Projection projection(view, parts, n, f);
+    const Projection projection = projection_of(mesh, view, parts);
     const Assembler assembler(mesh, projection, look, parts.clip, parts.conventions, view.mirrored);
     std::vector<Triangle> triangles;
     for (std::size_t t = 0; t < mesh.triangles(); ++t) {

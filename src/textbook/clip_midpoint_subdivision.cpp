@@ -2,6 +2,8 @@
 // left is in, out, or too short to matter; only sums and halves.
 #include "textbook/outcode.h"
 
+#include <cmath>
+
 namespace scanout::textbook {
 namespace {
 
@@ -25,7 +27,10 @@ std::optional<DVec2> first_in_box(const DVec2& a, const DVec2& b, const Box& box
 
 } // namespace
 
+// An end that is no number, or infinite, has no middle: nothing is halved for ever.
 std::optional<Segment> clip_midpoint_subdivision(const Segment& line, const Box& box) {
+    for (const DVec2& end : {line.first, line.second})
+        if (!std::isfinite(end.x) || !std::isfinite(end.y)) return std::nullopt;
     const auto a = first_in_box(line.first, line.second, box),
                b = first_in_box(line.second, line.first, box);
     if (!a || !b) return std::nullopt;

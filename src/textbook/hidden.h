@@ -15,9 +15,10 @@ struct HiddenTask {
     const std::vector<Triangle>& triangles; // in the order of the file
     int width, height;
     FillMethod fill;
-    bool equal_passes = false; // an equal depth, too
-    // Draws the edges of a triangle (none).
-    std::function<void(const Triangle& triangle)> edges;
+    bool equal_passes; // an equal depth, too
+    // What `none` draws in place of faces, and what draws it.
+    const std::vector<Wire>& wires;
+    std::function<void(const Wire& wire)> draw_wire;
 };
 using HiddenMethod = void (*)(const HiddenTask& task, const Shade& shade);
 

@@ -35,11 +35,15 @@ DVec4 Projection::clip_of(const DVec3& place) const {
     return {place.x * x_, place.y * y_, depth, w};
 }
 
+Plane Projection::near_plane() const {
+    return {{0, 0, 0, 1}, perspective_ ? -n_ : 0};
+}
+
 // Near and far by the distance itself where w is one: the same planes as by z, and right for every
 // kind of depth. An orthographic view has all of the model between n and f.
 std::vector<Plane> Projection::planes() const {
     std::vector<Plane> planes;
-    if (perspective_) planes = {{{0, 0, 0, 1}, -n_}, {{0, 0, 0, -1}, f_}};
+    if (perspective_) planes = {near_plane(), {{0, 0, 0, -1}, f_}};
     for (const DVec4& side :
          {DVec4(1, 0, 0, 1), DVec4(-1, 0, 0, 1), DVec4(0, 1, 0, 1), DVec4(0, -1, 0, 1)})
         planes.push_back({side, 0});

@@ -19,6 +19,7 @@ DepthRow course_depth(double n, double f);
 struct Projection {
     Projection(const scene::View& view, const Parts& parts, double n, double f);
     DVec4 clip_of(const DVec3& view_place) const;
+    Plane near_plane() const;          // in an orthographic view all is beyond it
     std::vector<Plane> planes() const; // near, far, left, right, bottom, top
     Corner on_screen(const Vertex& v, int width, int height) const;
 

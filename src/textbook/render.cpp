@@ -1,12 +1,12 @@
 #include "textbook/render.h"
 
 #include "math/srgb.h"
-#include "textbook/assemble.h"
 #include "textbook/hidden.h"
 #include "textbook/interpolation.h"
 #include "textbook/light.h"
 #include "textbook/line.h"
 #include "textbook/texture.h"
+#include "textbook/wires.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,25 +35,27 @@ public:
         });
     }
 
-    void edges(const Triangle& t) {
-        const Box box{0, 0, look_.width - 1.0, look_.height - 1.0};
-        const Points p = points_of(t);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto line = line_clip(parts_.line_clip)({p[i], p[(i + 1) % 3]}, box);
-            if (!line) continue;
-            line_method(parts_.line)(pixel_at(line->first), pixel_at(line->second),
-                                     [&](int x, int y, double share) {
-                                         if (x < look_.width && y < look_.height)
-                                             mix_in(x, y, material(t.source), share);
-                                     });
-        }
+    void draw(const Wire& wire) {
+        // A pixel reaches half a pixel to each side of its centre.
+        const Box box{-0.5, -0.5, look_.width - 0.5, look_.height - 0.5};
+        const auto line = line_clip(parts_.line_clip)({wire.from, wire.to}, box);
+        if (!line) return;
+        line_method(parts_.line)(pixel_at(line->first), pixel_at(line->second),
+                                 [&](int x, int y, double share) {
+                                     if (x >= 0 && y >= 0 && x < look_.width && y < look_.height)
+                                         mix_in(x, y, material(wire.source), share);
+                                 });
     }
 
     image::Image take() { return std::move(image_); }
 
 private:
-    static Pixel pixel_at(const DVec2& p) {
-        return {static_cast<int>(std::floor(p.x + 0.5)), static_cast<int>(std::floor(p.y + 0.5))};
+    // Of a place in the box, whose right and lower sides round to what lies beyond the picture.
+    Pixel pixel_at(const DVec2& p) const {
+        const auto nearest = [](double at, int size) {
+            return std::clamp(static_cast<int>(std::floor(at + 0.5)), 0, size - 1);
+        };
+        return {nearest(p.x, look_.width), nearest(p.y, look_.height)};
     }
     static image::Rgba8 code_of(const DVec3& light) {
         const auto code = [](double v) { return srgb_encode(static_cast<float>(v)); };
@@ -106,13 +108,17 @@ private:
 Picture render(const scene::Scene& scene, const scene::View& view, const Look& look,
                const Parts& parts) {
     const std::vector<Triangle> triangles = assemble(scene.mesh, view, look, parts);
+    const std::vector<Wire> wires = parts.hidden == Hidden::none
+                                        ? wires_of(scene.mesh, view, look, parts)
+                                        : std::vector<Wire>();
     Drawing drawing(scene, view, look, parts);
     const HiddenTask task{triangles,
                           look.width,
                           look.height,
                           fill_method(parts.fill),
                           parts.conventions.equal_passes,
-                          [&](const Triangle& t) { drawing.edges(t); }};
+                          wires,
+                          [&](const Wire& wire) { drawing.draw(wire); }};
     hidden_method(parts.hidden)(
         task, [&](const Triangle& t, int y, int x0, int x1) { drawing.shade(t, y, x0, x1); });
     return {drawing.take(), scene.mesh.triangles(), triangles.size()};

@@ -47,6 +47,12 @@ struct Triangle {
     }
 };
 
+// An edge of the mesh on the screen, where a pixel is a point with whole coordinates.
+struct Wire {
+    DVec2 from{0}, to{0};
+    std::uint32_t source = 0; // a triangle of the mesh that it belongs to
+};
+
 // The corners where a pixel is a point with whole coordinates.
 inline Points points_of(const Triangle& t) {
     const auto point = [](const Corner& c) { return DVec2(c.x - 0.5, c.y - 0.5); };

@@ -80,22 +80,6 @@ TEST(TextbookHidden, WithoutBacksAConvexBodyIsRightInAnyOrder) {
         EXPECT_EQ(different_pixels(picture(s, with(hidden)), expected), 0);
 }
 
-// None draws edges alone: by each line method, on the same model.
-TEST(TextbookHidden, NoneDrawsEdgesByEveryLineMethod) {
-    Shot s = scanout::test::solids("solids");
-    for (const Line line : {Line::dda, Line::midpoint, Line::bresenham, Line::wu})
-        for (const Clip clip :
-             {Clip::cohen_sutherland, Clip::midpoint_subdivision, Clip::liang_barsky}) {
-            Parts parts = with(Hidden::none);
-            parts.line = line;
-            parts.line_clip = clip;
-            const image::Image drawn = picture(s, parts);
-            const image::Image blank(64, 64, s.options.background);
-            EXPECT_GT(different_pixels(drawn, blank), 200);
-            EXPECT_LT(different_pixels(drawn, picture(s, with(Hidden::none)), 128), 300);
-        }
-}
-
 // The faces' three ways of clipping: a camera in the middle of things.
 TEST(TextbookHidden, ThreeWaysOfClippingShowTheSame) {
     Shot s = scanout::test::solids("solids");
