@@ -19,8 +19,22 @@ struct Plane {
 };
 using Polygon = std::vector<Vertex>;
 
-// One plane [ClipSpace 6], [SoftwareGraphics]: t = a / (a - b) of the distances of an
-// edge's ends. a - b is never 0, because one end is inside and the other is not.
+// Sutherland and Hodgman 1974: of a polygon what lies where distance(corner) is 0 or above, in
+// homogeneous space or on the screen. t = a / (a - b) of the distances of an edge's ends, whose
+// difference is never 0, because one end is inside and the other is not.
+template <class OneCorner, class Distance>
+std::vector<OneCorner> clip_by_side(const std::vector<OneCorner>& polygon, Distance distance) {
+    std::vector<OneCorner> out;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const OneCorner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double from = distance(a), to = distance(b);
+        if (from >= 0) out.push_back(a);
+        if ((from >= 0) != (to >= 0)) out.push_back(mix(a, b, from / (from - to)));
+    }
+    return out;
+}
+
+// One plane [ClipSpace 6], [SoftwareGraphics].
 Polygon clip_by_plane(const Polygon& polygon, const Plane& plane);
 // [Compendium 8.3]: the planes one after the other: 0, or 3 to 9 corners. A cut may lie outside of
 // the planes that are still to come.

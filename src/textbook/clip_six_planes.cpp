@@ -5,14 +5,7 @@
 namespace scanout::textbook {
 
 Polygon clip_by_plane(const Polygon& polygon, const Plane& plane) {
-    Polygon out;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vertex &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        const double from = plane.distance(a.clip), to = plane.distance(b.clip);
-        if (from >= 0) out.push_back(a);
-        if ((from >= 0) != (to >= 0)) out.push_back(mix(a, b, from / (from - to)));
-    }
-    return out;
+    return clip_by_side(polygon, [&](const Vertex& v) { return plane.distance(v.clip); });
 }
 
 Polygon clip_six_planes(Polygon polygon, const std::vector<Plane>& planes) {

@@ -18,6 +18,18 @@ TEXTBOOK_FILL(TEXTBOOK_DECLARE)
 #undef TEXTBOOK_DECLARE
 FillMethod fill_method(Fill fill);
 
+// The runs of the pixels x0 <= x < x1 that are in: of(from, end) for each. Asks is_in(x) once a
+// pixel, from left to right.
+template <class IsIn, class Of>
+void for_each_run(int x0, int x1, IsIn is_in, Of of) {
+    int from = x0;
+    for (int x = x0; x <= x1; ++x) {
+        if (x < x1 && is_in(x)) continue;
+        if (from < x) of(from, x);
+        from = x + 1;
+    }
+}
+
 // [Compendium 2.2] as it is written first: without the clamp of both ends of a line.
 void fill_flat_halves_unclamped(const Points& p, const Span& span);
 

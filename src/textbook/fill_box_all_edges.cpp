@@ -26,8 +26,10 @@ void fill_box_all_edges(const Points& p, const Span& span) {
     const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
     const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y});
     for (int y = static_cast<int>(std::ceil(top)); y <= bottom; ++y)
-        for (int x = static_cast<int>(std::ceil(left)); x <= right; ++x)
-            if (edges_passed(p, x, y) % 2 == 1) span(y, x, x + 1);
+        for_each_run(
+            static_cast<int>(std::ceil(left)), static_cast<int>(std::floor(right)) + 1,
+            [&](int x) { return edges_passed(p, x, y) % 2 == 1; },
+            [&](int from, int end) { span(y, from, end); });
 }
 
 } // namespace scanout::textbook

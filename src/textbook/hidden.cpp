@@ -4,13 +4,6 @@
 
 namespace scanout::textbook {
 
-HiddenMethod hidden_method(Hidden hidden) {
-#define TEXTBOOK_FUNCTION(name, blurb) hidden_##name,
-    static constexpr std::array kMethods = {TEXTBOOK_HIDDEN(TEXTBOOK_FUNCTION)};
-#undef TEXTBOOK_FUNCTION
-    return kMethods[static_cast<std::size_t>(hidden)];
-}
-
 void fill_in_picture(const HiddenTask& task, const Triangle& triangle, const Span& span) {
     task.fill(points_of(triangle), [&](int y, int x0, int x1) {
         const int from = std::max(x0, 0), to = std::min(x1, task.width);

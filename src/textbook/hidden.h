@@ -35,6 +35,10 @@ void fill_in_picture(const HiddenTask& task, const Triangle& triangle, const Spa
 double depth_on_screen(const Triangle& t, int x, int y);
 double depth_in_space(const Triangle& t, int x, int y);
 
+// Of two methods: the depth before the division by w, of a distance between n and f.
+double clip_depth_z_linear(double distance, double w, double n, double f);
+double clip_depth_z_squared(double distance, double w);
+
 using DepthOf = double (*)(const Triangle& t, int x, int y);
 // [Compendium 6.2], [Course 4.3.2]: a depth a pixel, at first farther than everything.
 void z_buffer(const HiddenTask& task, DepthOf depth_of, const Shade& shade);

@@ -73,8 +73,9 @@ private:
     void draw_face(const Triangle& t, const Window& w) {
         const Points p = points_of(t);
         for (int y = w.y0; y < w.y1; ++y)
-            for (int x = w.x0; x < w.x1; ++x)
-                if (covers(p, x, y)) shade_(t, y, x, x + 1);
+            for_each_run(
+                w.x0, w.x1, [&](int x) { return covers(p, x, y); },
+                [&](int from, int end) { shade_(t, y, from, end); });
     }
     void draw_pixel(const Faces& faces, int x, int y) {
         const Triangle* nearest = nullptr;

@@ -5,6 +5,10 @@
 
 namespace scanout::textbook {
 
+double clip_depth_z_linear(double distance, double w, double n, double f) {
+    return (2 * distance - (f + n)) / (f - n) * w;
+}
+
 void hidden_z_linear(const HiddenTask& task, const Shade& shade) {
     z_buffer(task, depth_in_space, shade);
 }

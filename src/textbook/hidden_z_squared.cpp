@@ -4,6 +4,11 @@
 
 namespace scanout::textbook {
 
+// w is z, but in an orthographic view 1.
+double clip_depth_z_squared(double distance, double w) {
+    return distance * w;
+}
+
 void hidden_z_squared(const HiddenTask& task, const Shade& shade) {
     z_buffer(task, depth_in_space, shade);
 }

@@ -2,13 +2,6 @@
 
 namespace scanout::textbook {
 
-InterpolationMethod interpolation_method(Interpolation interpolation) {
-#define TEXTBOOK_FUNCTION(name, blurb) interpolate_##name,
-    static constexpr std::array kMethods = {TEXTBOOK_INTERPOLATION(TEXTBOOK_FUNCTION)};
-#undef TEXTBOOK_FUNCTION
-    return kMethods[static_cast<std::size_t>(interpolation)];
-}
-
 Values weighted(const Triangle& t, const Weights& weights) {
     Values out;
     for (std::size_t i = 0; i < kValues; ++i)

@@ -1,5 +1,7 @@
 #include "textbook/projection.h"
 
+#include "textbook/hidden.h"
+
 namespace scanout::textbook {
 
 DepthRow pseudo_depth(double n, double f, double at_near) {
@@ -30,8 +32,8 @@ DVec4 Projection::clip_of(const DVec3& place) const {
                  distance = conventions_.left_handed ? z : -z;
     const double w = perspective_ ? distance : 1;
     double depth = row_.c * distance + row_.d; // after the division: pseudo-depth
-    if (hidden_ == Hidden::z_linear) depth = (2 * distance - (f_ + n_)) / (f_ - n_) * w;
-    if (hidden_ == Hidden::z_squared) depth = distance * w;
+    if (hidden_ == Hidden::z_linear) depth = clip_depth_z_linear(distance, w, n_, f_);
+    if (hidden_ == Hidden::z_squared) depth = clip_depth_z_squared(distance, w);
     return {place.x * x_, place.y * y_, depth, w};
 }
 

@@ -37,6 +37,16 @@ struct Corner {
     Values values{};
 };
 
+// Places and depths are linear on the screen, values are not: value/w and 1/w are.
+inline Corner mix(const Corner& a, const Corner& b, double t) {
+    const auto linear = [t](double from, double to) { return from + (to - from) * t; };
+    Corner out{
+        linear(a.x, b.x), linear(a.y, b.y), linear(a.z, b.z), 1 / linear(1 / a.w, 1 / b.w), {}};
+    for (std::size_t i = 0; i < kValues; ++i)
+        out.values[i] = linear(a.values[i] / a.w, b.values[i] / b.w) * out.w;
+    return out;
+}
+
 struct Triangle {
     std::array<Corner, 3> corner;
     std::uint32_t source = 0; // the mesh's triangle

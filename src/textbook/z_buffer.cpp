@@ -10,15 +10,15 @@ void z_buffer(const HiddenTask& task, DepthOf depth_of, const Shade& shade) {
                                std::numeric_limits<double>::infinity());
     for (const Triangle& t : task.triangles)
         fill_in_picture(task, t, [&](int y, int x0, int x1) {
-            for (int x = x0; x < x1; ++x) {
-                double& there =
-                    depths[static_cast<std::size_t>(y) * static_cast<std::size_t>(task.width) +
-                           static_cast<std::size_t>(x)];
+            double* const row =
+                depths.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(task.width);
+            const auto passes = [&](int x) {
                 const double depth = depth_of(t, x, y);
-                if (!(depth < there || (task.equal_passes && depth == there))) continue;
-                there = depth;
-                shade(t, y, x, x + 1);
-            }
+                if (!(depth < row[x] || (task.equal_passes && depth == row[x]))) return false;
+                row[x] = depth;
+                return true;
+            };
+            for_each_run(x0, x1, passes, [&](int from, int end) { shade(t, y, from, end); });
         });
 }
 

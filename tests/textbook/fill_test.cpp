@@ -103,5 +103,30 @@ TEST(TextbookFill, AnywhereTheFillsCoverTheSamePixels) {
     }
 }
 
+// A line of a triangle is one run, which values can be stepped along.
+TEST(TextbookFill, EveryFillGivesALineInOneSpan) {
+    Random random(5);
+    for (int i = 0; i < 300; ++i) {
+        const Points p = whole_triangle(random, 24);
+        for (const FillMethod fill :
+             {fill_x_scanline, fill_active_edges, fill_box_all_edges, fill_box_edge_functions}) {
+            std::map<int, int> spans;
+            fill(p, [&](int y, int x0, int x1) { spans[y] += x0 < x1 ? 1 : 0; });
+            for (const auto& [y, count] : spans)
+                EXPECT_LE(count, 1) << y;
+        }
+    }
+}
+
+TEST(TextbookFill, RunsEndWhereAPixelIsNotIn) {
+    const std::string in = ".##.#...###";
+    std::vector<std::pair<int, int>> runs;
+    for_each_run(
+        0, static_cast<int>(in.size()),
+        [&](int x) { return in[static_cast<std::size_t>(x)] == '#'; },
+        [&](int from, int end) { runs.emplace_back(from, end); });
+    EXPECT_EQ(runs, (std::vector<std::pair<int, int>>{{1, 3}, {4, 5}, {8, 11}}));
+}
+
 } // namespace
 } // namespace scanout::textbook::test

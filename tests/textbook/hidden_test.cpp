@@ -69,6 +69,24 @@ TEST(TextbookHidden, PaintersInOrderAgreesWithTheZBufferWhereNoFacesCross) {
     record("wrong_pixels_of_crossing_faces", crossing);
 }
 
+// One call of shade a run of pixels, of which values are stepped: the nearest face has whole lines,
+// the farther one what is left of them.
+TEST(TextbookHidden, ZBuffersShadeRunsOfPixels) {
+    Triangle near, far;
+    near.corner = {{{8, 2, 0.2, 1, {}}, {24, 2, 0.2, 1, {}}, {16, 26, 0.2, 1, {}}}};
+    far.corner = {{{0, 1, 0.6, 1, {}}, {32, 1, 0.6, 1, {}}, {16, 31, 0.6, 1, {}}}};
+    const std::vector<Triangle> triangles = {near, far};
+    const std::vector<Wire> no_wires;
+    for (const Fill fill : {Fill::x_scanline, Fill::box_edge_functions}) {
+        const HiddenTask task{triangles, 32, 32, fill_method(fill), false, no_wires, {}};
+        std::map<std::pair<const Triangle*, int>, int> runs;
+        hidden_z_pseudo(task,
+                        [&](const Triangle& t, int y, int, int) { ++runs[std::pair(&t, y)]; });
+        EXPECT_EQ((runs[std::pair(&triangles[0], 10)]), 1);
+        EXPECT_EQ((runs[std::pair(&triangles[1], 10)]), 2); // to the left and to the right
+    }
+}
+
 // A convex body without its backs needs no order at all.
 TEST(TextbookHidden, WithoutBacksAConvexBodyIsRightInAnyOrder) {
     Shot s = scanout::test::shot("ball", 160, 120);
