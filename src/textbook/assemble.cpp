@@ -58,9 +58,9 @@ void turn_to_eye(std::array<Vertex, 3>& t, bool perspective) {
 class Assembler {
 public:
     Assembler(const geom::Mesh& mesh, const Projection& projection, const Look& look, Clip clip,
-              const Conventions& c, bool mirrored)
+              bool mirrored)
         : mesh_(mesh), projection_(projection), planes_(projection.planes()), look_(look),
-          clip_(clip), conventions_(c), mirrored_(mirrored) {}
+          clip_(clip), mirrored_(mirrored) {}
 
     void add(const std::array<Vertex, 3>& t, std::uint32_t source,
              std::vector<Triangle>& out) const {
@@ -103,12 +103,11 @@ private:
     }
 
     // [Compendium 9.3]: the sign of the area says which side shows. Files are wound against the
-    // clock in front; a document whose fronts run with it reads the corners the other way round.
-    void keep(Triangle t, std::vector<Triangle>& out) const {
-        if (conventions_.clockwise_front) std::swap(t.corner[1], t.corner[2]);
+    // clock in front.
+    void keep(const Triangle& t, std::vector<Triangle>& out) const {
         const Points p = points_of(t);
         const double area = twice_area(p[0], p[1], p[2]); // above 0: clockwise
-        const bool front = ((area > 0) == conventions_.clockwise_front) != mirrored_;
+        const bool front = (area < 0) != mirrored_;
         if (area != 0 && shows(front, look_, mesh_.material[t.source])) out.push_back(t);
     }
 
@@ -117,7 +116,6 @@ private:
     std::vector<Plane> planes_;
     const Look& look_;
     Clip clip_;
-    Conventions conventions_;
     bool mirrored_;
 };
 
@@ -131,7 +129,7 @@ Projection projection_of(const geom::Mesh& mesh, const scene::View& view, const 
 std::vector<Triangle> assemble(const geom::Mesh& mesh, const scene::View& view, const Look& look,
                                const Parts& parts) {
     const Projection projection = projection_of(mesh, view, parts);
-    const Assembler assembler(mesh, projection, look, parts.clip, parts.conventions, view.mirrored);
+    const Assembler assembler(mesh, projection, look, parts.clip, view.mirrored);
     std::vector<Triangle> triangles;
     for (std::size_t t = 0; t < mesh.triangles(); ++t) {
         std::array<Vertex, 3> corners;

@@ -24,7 +24,7 @@ Parts own_parts(Renderer renderer) {
         own.line = Line::dda;
         own.fill = Fill::flat_halves;
         own.interpolation = Interpolation::spans_perspective;
-        own.conventions = {true, false, -1, true, true};
+        own.conventions = {-1, true, true};
         break;
     case Renderer::course: // it interpolates nothing: its faces have one light each
         own.line = Line::dda;
@@ -32,11 +32,10 @@ Parts own_parts(Renderer renderer) {
         own.interpolation = Interpolation::affine;
         own.hidden = Hidden::painters;
         own.clip = Clip::four_cases;
-        own.conventions = {true, false, 0, false, false};
+        own.conventions = {0, false, false};
         break;
     case Renderer::software_graphics: // "the depth test is not built yet"
         own.hidden = Hidden::drawing_order;
-        own.conventions = {true, true, 0, true, false};
         break;
     }
     return own;

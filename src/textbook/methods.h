@@ -52,9 +52,9 @@
     X(liang_barsky, "lines: the largest entering and the least leaving t")
 #define TEXTBOOK_RENDERER(X)                                                                       \
     X(textbook, "the best method of each part")                                                    \
-    X(compendium, "left-handed, depth -1 to 1, equal depths pass, flat halves in spans")           \
-    X(course, "left-handed, depth 0 to 1/f, painter's algorithm, four-case clip")                  \
-    X(software_graphics, "clockwise fronts, depth 0 to 1 and not compared")
+    X(compendium, "depth -1 to 1, equal depths pass, flat halves in spans")                        \
+    X(course, "depth 0 to 1/f, painter's algorithm, four-case clip")                               \
+    X(software_graphics, "depth 0 to 1 and not compared")
 
 // P(part, type, methods, help of --part)
 #define TEXTBOOK_PARTS(P)                                                                          \
@@ -90,13 +90,12 @@ constexpr bool cuts_lines(Clip clip) {
     return clip >= Clip::cohen_sutherland;
 }
 
-// Coordinates, winding and depth, as a document has them.
+// Depth, as a document has it. Their left-handed axes and clockwise fronts are not rebuilt: z turns
+// round, the order of the corners with it, and no pixel changes (trap 12).
 struct Conventions {
-    bool left_handed = false;     // the camera looks along +z; else -z
-    bool clockwise_front = false; // on the screen; the order of the file's corners is turned
-    double depth_at_near = 0;     // z/w there
-    bool depth_ends_at_1 = true;  // z/w at the far plane; the course's ends at 1/f
-    bool equal_passes = false;    // a depth that is equal to the one that is there
+    double depth_at_near = 0;    // z/w there
+    bool depth_ends_at_1 = true; // z/w at the far plane; the course's ends at 1/f
+    bool equal_passes = false;   // a depth that is equal to the one that is there
 };
 
 // A renderer: one method a part.

@@ -25,11 +25,9 @@ Projection::Projection(const scene::View& view, const Parts& parts, double n, do
                 conventions_.depth_at_near - n * (1 - conventions_.depth_at_near) / (f - n)};
 }
 
-// The scene is right-handed, its camera looks along -z. A left-handed system turns z round; on the
-// screen both see the same.
+// The scene is right-handed, its camera looks along -z.
 DVec4 Projection::clip_of(const DVec3& place) const {
-    const double z = conventions_.left_handed ? -place.z : place.z,
-                 distance = conventions_.left_handed ? z : -z;
+    const double distance = -place.z;
     const double w = perspective_ ? distance : 1;
     double depth = row_.c * distance + row_.d; // after the division: pseudo-depth
     if (hidden_ == Hidden::z_linear) depth = clip_depth_z_linear(distance, w, n_, f_);

@@ -1,5 +1,5 @@
 // Lines of textbooks: those that hold everywhere hold the same laws; the others are a trap
-// (trap_17_line_ends_test.cpp).
+// (trap_17_test.cpp).
 #include "textbook/pixels.h"
 
 #include <algorithm>

@@ -24,7 +24,7 @@ Parts parts_with(Conventions conventions, Hidden hidden = Hidden::z_pseudo) {
 
 // [ClipSpace 6]: l = b = -1, r = t = 1, n = 1, f = 10 take (1, 1, 0) to (1, 1, -2.2222, 0).
 TEST(Documents, ThePointInTheEyesPlaneHasNoW) {
-    const Projection p(square_view(), parts_with({true, false, -1}), 1, 10);
+    const Projection p(square_view(), parts_with({-1}), 1, 10);
     const DVec4 clip = p.clip_of(DVec3(1, 1, 0));
     EXPECT_EQ(clip.x, 1);
     EXPECT_EQ(clip.y, 1);
@@ -101,14 +101,14 @@ TEST(Documents, TheFrustumOfSixNumbersIsTheHalfExtentsTimesNear) {
     scene::View view;
     view.half_width = 320.0 / 25;
     view.half_height = 240.0 / 25;
-    const Projection p(view, parts_with({true, false, -1}), 25, 1000);
+    const Projection p(view, parts_with({-1}), 25, 1000);
     const DVec4 clip = p.clip_of(DVec3(100, -60, -200)); // z = 200 in the document's system
     EXPECT_NEAR(clip.x, 2 * 25 * 100.0 / 640, 1e-12);
     EXPECT_NEAR(clip.y, 2 * 25 * -60.0 / 480, 1e-12);
     EXPECT_EQ(clip.w, 200);
 }
 
-// Handedness and depth range move no pixel: the same point of the screen in all systems.
+// The range of depth moves no pixel: the same point of the screen in all systems.
 TEST(Documents, EverySystemSeesAPointAtTheSamePixel) {
     for (const Renderer r : {Renderer::textbook, Renderer::compendium, Renderer::course,
                              Renderer::software_graphics}) {

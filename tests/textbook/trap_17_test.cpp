@@ -17,7 +17,7 @@ PixelSet production_pixels(Pixel a, Pixel b) {
     return out;
 }
 
-// Each pixel has a neighbour, of eight, one step nearer to the line's begin.
+// All pixels are reached from `from`, each from one of its eight neighbours.
 bool is_connected(const PixelSet& pixels, Pixel from) {
     PixelSet reached = {from};
     std::vector<Pixel> open = {from};
