@@ -16,8 +16,8 @@ constexpr std::array<std::string_view, 10> kEffects = {
     "texture",    "ambient_light", "hemisphere_light", "directional_light", "point_light",
     "spot_light", "two_sided",     "highlight",        "vertex_colours",    "shading"};
 // Of the picture, of the model, of speed.
-constexpr std::array<std::string_view, 10> kPictureOptions = {
-    "size", "background", "cull", "light", "measure", "effect", "renderer", "line", "fill", "clip"};
+constexpr std::array<std::string_view, 7> kPictureOptions = {
+    "size", "background", "cull", "light", "measure", "effect", "renderer"};
 constexpr std::array<std::string_view, 3> kElsewhere = {"opacity", "budget", "max-error"};
 // Options that they lack, with the value that is what they do.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kTheirs = {
@@ -66,6 +66,30 @@ Result<void> check_given(const GivenOption& given, std::string_view renderer) {
     return {};
 }
 
+// A part that has no part in the picture.
+Result<void> check_parts(const textbook::AskedParts& asked, textbook::Hidden hidden) {
+    struct Row {
+        bool is_idle;
+        std::string_view words;
+    };
+    const bool edges = hidden == textbook::Hidden::none;
+    const std::array<Row, 6> rows = {{
+        {!edges && asked.line, "--line draws the edges of --hidden none; say that, too"},
+        {!edges && asked.line_clip,
+         "--clip of lines cuts the edges of --hidden none; say that, too"},
+        {edges && asked.fill, "--hidden none fills no faces; leave out --fill"},
+        {edges && asked.interpolation, "--hidden none fills no faces; leave out --interpolation"},
+        {edges && asked.clip,
+         "--hidden none draws lines; give --clip one of cohen_sutherland midpoint_subdivision "
+         "liang_barsky"},
+        {hidden == textbook::Hidden::warnock && asked.fill,
+         "--hidden warnock fills its windows by itself; leave out --fill"},
+    }};
+    for (const Row& row : rows)
+        if (row.is_idle) return fail(Exit::usage, "{}", row.words);
+    return {};
+}
+
 } // namespace
 
 Result<void> check_textbook(const Settings& s) {
@@ -86,7 +110,7 @@ Result<void> check_textbook(const Settings& s) {
                         "--renderer {} has no effect {}; leave it out, or draw with --renderer "
                         "scanout",
                         name_of(*s.renderer), effect);
-    return {};
+    return check_parts(s.parts, textbook::parts_of(*s.renderer, s.parts).hidden);
 }
 
 textbook::Look textbook_look_of(const frame::FramePlan& plan) {
@@ -120,6 +144,13 @@ std::vector<std::string> left_out_of_textbook(const frame::FramePlan& plan,
         if (const frame::Decision* row = plan.decision(effect);
             row != nullptr && row->needed && row->on())
             names.push_back(effect);
+    // Their highlight is that of Ns and Ks; a rough surface has one of its own.
+    const frame::Decision* highlight = plan.decision("highlight");
+    const bool rough = plan.physical && highlight != nullptr && highlight->on();
+    const shade::Stage* physical =
+        plan.reflection[static_cast<std::size_t>(scene::Surface::physical)];
+    if (rough && physical != nullptr && physical->card.name == "ggx")
+        names.push_back("highlight ggx");
     std::vector<std::string> lines;
     if (!names.empty())
         lines.push_back(

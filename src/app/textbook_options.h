@@ -13,8 +13,8 @@
 
 namespace scanout::app {
 
-// Fails (Exit::usage) where a part is named and no textbook renderer is, and where an option or an
-// effect is asked for that they lack.
+// Fails (Exit::usage) where a part is named and no textbook renderer is, or that has no part in the
+// picture, and where an option or an effect is asked for that they lack.
 Result<void> check_textbook(const Settings& settings);
 
 // What a plan looks like to them; what is on in it that they lack is left out.

@@ -20,9 +20,9 @@ TEST_F(Program, TextbookRenderersDraw) {
         hashes.insert(outcome.out);
     }
     EXPECT_GT(hashes.size(), 2U);
-    // Of several parts each counts, of faces and of lines.
+    // Of several parts each counts.
     EXPECT_EQ(run("render $m --hash -s 64x48 --renderer textbook --hidden none --line wu "
-                  "--clip four_cases --clip cohen_sutherland")
+                  "--clip cohen_sutherland")
                   .code,
               0);
     const Outcome json = run("render $m --json --quiet -s 64x48 --renderer course");
@@ -40,6 +40,12 @@ TEST_F(Program, WhatATextbookRendererLacksIsSaidInOneLine) {
         {"--renderer textbook --budget 16ms", "has no --budget 16ms"},
         {"--renderer textbook --reference", "give one of them"},
         {"--fill x_scanline", "say --renderer textbook, too"},
+        {"--renderer textbook --line wu", "the edges of --hidden none; say that, too"},
+        {"--renderer textbook --clip liang_barsky", "the edges of --hidden none; say that, too"},
+        {"--renderer textbook --hidden none --fill x_scanline", "leave out --fill"},
+        {"--renderer textbook --hidden none --interpolation affine", "leave out --interpolation"},
+        {"--renderer textbook --hidden none --clip four_cases", "--hidden none draws lines"},
+        {"--renderer textbook --hidden warnock --fill x_scanline", "leave out --fill"},
         {"--renderer textbook --fill scanline", "wants one of flat_halves x_scanline"}};
     for (const auto& [words, says] : cases) {
         const Outcome outcome = run(std::string("render $m --hash ") + words);
@@ -57,6 +63,17 @@ TEST_F(Program, WhatATextbookRendererLacksIsSaidInOneLine) {
         EXPECT_EQ(outcome.code, 2);
         EXPECT_NE(outcome.err.find("--renderer is for render"), std::string::npos) << outcome.err;
     }
+}
+
+// What the model itself calls for is left out with a warning: the highlight of rough surfaces is.
+TEST_F(Program, ATextbookRendererWarnsOfTheHighlightThatItLeavesOut) {
+    const std::string dice = "render " SCANOUT_SOURCE_DIR "/models/dice/dice.glb --hash -s 64x48 ",
+                      says = "no highlight ggx: left out";
+    EXPECT_NE(run(dice + "--renderer textbook").err.find(says), std::string::npos);
+    EXPECT_EQ(run(dice).err.find(says), std::string::npos);
+    EXPECT_EQ(run(dice + "--renderer textbook --effect highlight=off").err.find(says),
+              std::string::npos);
+    EXPECT_EQ(run("render $m --hash -s 64x48 --renderer textbook").err, "");
 }
 
 TEST_F(Program, ListRenderersNamesEveryMethod) {
