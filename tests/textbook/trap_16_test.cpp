@@ -51,31 +51,44 @@ TEST(Trap16, TheQuickInverseIsRightForRigidPosesAlone) {
     s.camera.elevation_degrees = 15;
     s.camera.distance = 5;
     const scene::View view = view_of(s);
-    const DMat3 world_to_view = view.linear;
-    Pose pose{glm::inverse(world_to_view) * DMat3(1.25),
-              -(glm::inverse(world_to_view) * view.translation)};
-    const auto seen_by = [&](const Pose& back) {
+    const DMat3 view_to_world = glm::inverse(view.linear);
+    const DVec3 eye = -(view_to_world * view.translation);
+    // What the camera sees plainly is carried to the world by its pose, and seen from there.
+    const auto seen_by = [&](const Pose& pose, const Pose& back) {
+        Shot world = s;
+        const DMat3 normals = glm::transpose(glm::inverse(pose.axes * view.linear));
+        for (Vec3& p : world.scene.mesh.position)
+            p = Vec3(pose.axes * (view.linear * DVec3(p) + view.translation) + pose.place);
+        for (Vec3& n : world.scene.mesh.normal) {
+            const DVec3 moved = normals * DVec3(n);
+            n = Vec3(moved / std::sqrt(dot3(moved, moved)));
+        }
         scene::View v = view;
         v.linear = back.axes;
         v.translation = back.place;
         v.normal = glm::transpose(glm::inverse(back.axes));
-        return picture(s, v, {});
+        return scanout::test::draw(world, v, {});
     };
-    const image::Image ours = seen_by(inverse(pose));
-    // The scale of a camera changes nothing that it sees: all of the world is 1/1.25 as large and
-    // as far away.
-    EXPECT_LT(different_pixels(ours, scanout::test::draw(s), 8), 60);
-    sheared.axes = glm::inverse(world_to_view) * DMat3(1, 0, 0, 0.5, 1, 0, 0, 0, 1);
-    sheared.place = pose.place;
-    EXPECT_GT(different_pixels(seen_by(quick_inverse(sheared)), seen_by(inverse(sheared)), 8), 300);
+    const image::Image plain = scanout::test::draw(s);
+    EXPECT_GT(covered_pixels(plain, s), 400);
+    const Pose turned{view_to_world, eye}, larger{view_to_world * DMat3(1.25), eye},
+        leaning{view_to_world * DMat3(1, 0, 0, 0.5, 1, 0, 0, 0, 1), eye};
+    for (const Pose& pose : {turned, larger, leaning})
+        EXPECT_LT(different_pixels(seen_by(pose, inverse(pose)), plain, 8), 8);
+    EXPECT_LT(different_pixels(seen_by(turned, quick_inverse(turned)), plain, 8), 8);
+    // A scale that is not undone shows all of the world larger and as much farther away.
+    EXPECT_LT(different_pixels(seen_by(larger, quick_inverse(larger)), plain, 8), 60);
+    EXPECT_GT(different_pixels(seen_by(leaning, quick_inverse(leaning)), plain, 8), 300);
     check_page(
         {16, "quick-inverse", "The quick inverse",
-         "The transpose undoes a rotation and nothing else: where a camera's pose holds a shear "
-         "or a scale, the quick inverse bends the world the same way once more.",
+         "The transpose undoes a rotation and nothing else: where a camera's pose holds a shear, "
+         "the quick inverse bends the world once more; a scale it squares, which shows only where "
+         "distances are used.",
          "[Course 3.3]",
          fmt::format("a point of the unit cube comes back {:.2f} from where it was; ours 1e-14",
-                     worst_way_back(sheared, quick_inverse(sheared))),
-         enlarged(seen_by(quick_inverse(sheared)), 3), enlarged(seen_by(inverse(sheared)), 3)});
+                     worst_way_back(leaning, quick_inverse(leaning))),
+         enlarged(seen_by(leaning, quick_inverse(leaning)), 3),
+         enlarged(seen_by(leaning, inverse(leaning)), 3)});
 }
 
 } // namespace

@@ -1,5 +1,6 @@
-// T18 [Compendium 9.4]: a picture that is drawn where the display reads it. How the viewer flips on
-// a real card is tests/platform's matter; here is why it must.
+// T18 [Compendium 9.4]: a picture that is drawn where the display reads it, in a model of a
+// monitor. That the viewer's display never writes what is shown,
+// tests/platform/kms_display_test.cpp holds on a card in memory; here is why.
 #include "support/scenes.h"
 #include "textbook/trap_page.h"
 
@@ -117,7 +118,9 @@ TEST(Trap18, OneBufferShowsPartsOfTwoFramesAndTwoBuffersNever) {
         {18, "tearing", "Drawn while it is read",
          "Where the picture is drawn into the memory that the monitor reads, a refresh shows "
          "parts of two frames, and so it does where a finished frame is copied at any time; two "
-         "buffers that change places between two refreshes show whole frames alone.",
+         "buffers that change places between two refreshes show whole frames alone. The pictures "
+         "are those of a model, a monitor that reads a line a tick and a drawer that writes 1.7: "
+         "on a card in memory, `tests/platform/kms_display_test.cpp` holds the viewer to it.",
          "[Compendium 9.4]",
          fmt::format("{} of {} refreshes are torn with one buffer, {} with a copy at any time, "
                      "{} with a flip",
