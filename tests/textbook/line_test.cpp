@@ -57,17 +57,25 @@ TEST(TextbookLine, DdaMidpointAndBresenhamDifferOnlyWhereTwoPixelsAreEquallyNear
     EXPECT_GT(ties, 100);
 }
 
-TEST(TextbookLine, WuGivesEveryStepTheWeightOfOnePixel) {
+TEST(TextbookLine, WuGivesEveryStepTheWeightOfOnePixelAboutTheLine) {
     Random random(3);
     for (int i = 0; i < 500; ++i) {
         const Pixel a{random.whole(-20, 20), random.whole(-20, 20)},
             b{random.whole(-20, 20), random.whole(-20, 20)};
         const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
-        std::map<int, double> weight;
-        line_wu(a, b, [&](int x, int y, double share) { weight[steep ? y : x] += share; });
+        std::map<int, double> weight, place; // along the longer axis; the mean across it
+        line_wu(a, b, [&](int x, int y, double share) {
+            weight[steep ? y : x] += share;
+            place[steep ? y : x] += share * (steep ? x : y);
+        });
         EXPECT_EQ(weight.size(), static_cast<std::size_t>(steps_between(a, b)) + 1);
-        for (const auto& [step, sum] : weight)
+        const int begin = steep ? a.y : a.x, steps = (steep ? b.y : b.x) - begin;
+        const double across = steep ? a.x : a.y, rise = (steep ? b.x : b.y) - across;
+        for (const auto& [step, sum] : weight) {
             EXPECT_NEAR(sum, 1, 1e-12);
+            const double way = steps == 0 ? 0 : static_cast<double>(step - begin) / steps;
+            EXPECT_NEAR(place[step], across + rise * way, 1e-12);
+        }
     }
 }
 
