@@ -21,7 +21,9 @@ Result<Exit> run_info(const Settings& settings) {
     io::ModelSource source;
     TRY(const LoadedModel model,
         load_model_with_messages(settings.arguments.front(), settings, jobs, &source));
-    const ModelInfo info = model_info(model, source, jobs);
+    ModelInfo info = model_info(model, source, jobs);
+    if (settings.order.given > 0)
+        info.transform = scene::placement_of(settings.model, model.scene.mesh, info.up);
     if (settings.json != "-")
         for (const std::string& line : info_lines(info))
             say(line, stdout);

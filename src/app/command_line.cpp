@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <deque>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -95,6 +96,7 @@ Result<std::vector<std::string>> take_files(std::vector<std::string>& arguments,
 
 struct Given {
     const Option* option;
+    const CLI::Option* parsed = nullptr; // of one with a value
     std::vector<std::string>
         texts; // as often as it was given; unless it repeats, the last one counts
 };
@@ -109,10 +111,10 @@ void declare(CLI::App& parser, Given& given) {
         if (!option.optional_value) flag->disable_flag_override();
         return;
     }
-    parser.add_option(names, given.texts)
-        ->expected(1)
-        ->allow_extra_args(false)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    given.parsed = parser.add_option(names, given.texts)
+                       ->expected(1)
+                       ->allow_extra_args(false)
+                       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 Result<void> unknown_option(const std::string& word, Command command) {
@@ -151,6 +153,17 @@ Result<void> add_view(const std::string& path, bool may_be_missing,
     return {};
 }
 
+// The options whose order counts, as the command line has them.
+Result<void> apply_in_order(const std::deque<Given>& given, const std::vector<CLI::Option*>& order,
+                            Settings& settings) {
+    std::map<const CLI::Option*, std::size_t> applied; // so many of its texts
+    for (const CLI::Option* parsed : order)
+        for (const Given& one : given)
+            if (one.parsed == parsed && one.option->in_order)
+                TRY_VOID(apply(*one.option, one.texts[applied[parsed]++], settings));
+    return {};
+}
+
 Result<Settings> parse_words(Command command, std::vector<std::string> words,
                              const std::vector<std::string>& files,
                              const ReadStanding& read_standing) {
@@ -161,7 +174,8 @@ Result<Settings> parse_words(Command command, std::vector<std::string> words,
     parser.allow_extras();
     std::deque<Given> given; // CLI11 keeps references into it
     for (const Option& option : options())
-        if (belongs(option, command)) declare(parser, given.emplace_back(Given{&option, {}}));
+        if (belongs(option, command))
+            declare(parser, given.emplace_back(Given{&option, nullptr, {}}));
     parser.add_option("arguments", settings.arguments);
     std::reverse(words.begin(), words.end()); // CLI11 takes them from the back
     try {
@@ -186,13 +200,14 @@ Result<Settings> parse_words(Command command, std::vector<std::string> words,
             TRY_VOID(add_view(one.texts.back(), one.option->name == "state", standing));
     TRY_VOID(apply_standing(standing, names, settings));
     for (const Given& one : given) {
-        if (one.texts.empty()) continue;
+        if (one.texts.empty() || one.option->in_order) continue;
         note_repetition(one, settings.notes);
         const bool bare = one.option->optional_value && one.texts.back() == "true";
         const std::size_t first = one.option->repeats ? 0 : one.texts.size() - 1;
         for (std::size_t i = first; i < one.texts.size(); ++i)
             TRY_VOID(apply(*one.option, bare ? "" : one.texts[i], settings));
     }
+    TRY_VOID(apply_in_order(given, parser.parse_order(), settings));
     TRY_VOID(check_together(settings));
     return settings;
 }

@@ -43,9 +43,9 @@ Result<void> check_pair(const Settings& s) {
         return fail(Exit::usage, "--pair draws two models, not {}", s.arguments.size());
     const scene::ModelTransform& m = s.model;
     if (s.turntable > 1 || m.scale != DVec3(1) || m.rotate_degrees != DVec3(0) ||
-        m.translate != DVec3(0))
+        m.translate != DVec3(0) || !m.steps.empty())
         return fail(Exit::usage, "--pair draws models where they lie in their files: leave "
-                                 "--turntable, --scale, --rotate and --translate out");
+                                 "--turntable and transforms (--scale, --rotate ...) out");
     if (s.limits.any())
         return fail(Exit::usage, "--pair draws both with the same rungs: name them in place of {}",
                     s.limits.wall_ms ? "--budget" : "--max-error");

@@ -28,11 +28,12 @@ std::string text_of(const scene::Light& l) {
 }
 
 std::string text_of(const scene::View& v) {
-    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", text_of(v.linear),
+    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", text_of(v.linear),
                        text_of(v.translation), text_of(v.normal), v.mirrored,
-                       static_cast<int>(v.projection), v.half_width, v.half_height, v.near_distance,
-                       v.target_distance, v.depth_origin, v.depth_scale, v.centre_distance,
-                       text_of(v.world_axes), text_of(v.world_origin));
+                       static_cast<int>(v.projection), v.half_width, v.half_height, v.middle.x,
+                       v.middle.y, v.cut_near, v.cut_far, v.near_distance, v.target_distance,
+                       v.depth_origin, v.depth_scale, v.centre_distance, text_of(v.world_axes),
+                       text_of(v.world_origin));
 }
 
 void add_options(const frame::FrameOptions& o, std::string& key) {

@@ -108,6 +108,51 @@ std::string map_text(const MapInfo& map) {
         state.empty() ? fmt::format("{} x {}", map.width, map.height) : std::string(state));
 }
 
+// What a matrix does: it stretches along three axes at right angles, then turns.
+std::vector<std::string> transform_lines(const scene::Placement& t) {
+    const DMat3 rows = transpose(t.linear);
+    std::vector<std::string> lines = {
+        line("transform",
+             fmt::format("{}; {}; {}; moves by {}", numbers(rows[0], " "), numbers(rows[1], " "),
+                         numbers(rows[2], " "), numbers(t.offset, ",")))};
+    if (!scene::is_invertible(t.linear)) {
+        lines.push_back(line("", "singular: it flattens the model, and nothing undoes it"));
+        return lines;
+    }
+    const scene::Decomposition d = scene::polar_decomposition(t.linear);
+    std::string stretch = fmt::format("stretches by {}", numbers(d.factors, ", "));
+    if (d.factors.x == d.factors.y && d.factors.y == d.factors.z)
+        stretch = fmt::format("scales by {:.6g}", d.factors.x);
+    else
+        stretch += fmt::format(" along {}; {}; {}", numbers(d.axes[0], ","),
+                               numbers(d.axes[1], ","), numbers(d.axes[2], ","));
+    lines.push_back(line("", fmt::format("determinant {:.6g}: {}", d.determinant, stretch)));
+    if (d.turn_degrees > 0)
+        lines.push_back(line("", fmt::format("then turns by {:.6g} degrees about {}",
+                                             d.turn_degrees, numbers(d.turn_axis, ","))));
+    return lines;
+}
+
+Json transform_json(const scene::Placement& t) {
+    const auto vector = [](const DVec3& v) { return Json{v.x, v.y, v.z}; };
+    Json matrix = Json::array();
+    for (int row = 0; row < 3; ++row)
+        for (const double entry :
+             {t.linear[0][row], t.linear[1][row], t.linear[2][row], t.offset[row]})
+            matrix.push_back(entry);
+    for (const double entry : {0.0, 0.0, 0.0, 1.0})
+        matrix.push_back(entry);
+    Json json = {{"matrix", matrix}, {"singular", !scene::is_invertible(t.linear)}};
+    if (!scene::is_invertible(t.linear)) return json;
+    const scene::Decomposition d = scene::polar_decomposition(t.linear);
+    json["determinant"] = d.determinant;
+    json["factors"] = vector(d.factors);
+    json["axes"] = {vector(d.axes[0]), vector(d.axes[1]), vector(d.axes[2])};
+    json["turn_axis"] = vector(d.turn_axis);
+    json["turn_degrees"] = d.turn_degrees;
+    return json;
+}
+
 } // namespace
 
 std::vector<std::string> info_lines(const ModelInfo& info) {
@@ -126,6 +171,9 @@ std::vector<std::string> info_lines(const ModelInfo& info) {
                                                       fmt::join(info.materials, ", "))));
     for (const MapInfo& map : info.maps)
         lines.push_back(line("texture", map_text(map)));
+    if (info.transform)
+        for (const std::string& one : transform_lines(*info.transform))
+            lines.push_back(one);
     for (const std::string& camera : info.cameras)
         lines.push_back(line("camera", camera));
     return lines;
@@ -156,29 +204,31 @@ std::string info_json(const ModelInfo& info) {
         surface["volume"] = info.volume ? Json(*info.volume) : Json(nullptr);
     }
     const scene::ModelCounts& c = info.counts;
-    return json_text(versioned({{"model", info.path},
-                                {"format", row_of(info.format).name},
-                                {"up", name_of(info.up)},
-                                {"vertices", c.vertices},
-                                {"faces", c.faces},
-                                {"triangles", c.triangles},
-                                {"lines", c.lines},
-                                {"points", c.points},
-                                {"skipped", c.skipped},
-                                {"normals", info.normals},
-                                {"texture_coordinates", info.uvs},
-                                {"colours", info.colours},
-                                {"face_colours", info.face_colours},
-                                {"box",
-                                 {{"min", vector(info.box_min)},
-                                  {"max", vector(info.box_max)},
-                                  {"size", vector(info.box_max - info.box_min)}}},
-                                {"surface", std::move(surface)},
-                                {"materials", info.materials},
-                                {"textures", std::move(maps)},
-                                {"cameras", info.cameras},
-                                {"warnings", info.warnings},
-                                {"version", SCANOUT_VERSION}}));
+    return json_text(
+        versioned({{"model", info.path},
+                   {"format", row_of(info.format).name},
+                   {"up", name_of(info.up)},
+                   {"vertices", c.vertices},
+                   {"faces", c.faces},
+                   {"triangles", c.triangles},
+                   {"lines", c.lines},
+                   {"points", c.points},
+                   {"skipped", c.skipped},
+                   {"normals", info.normals},
+                   {"texture_coordinates", info.uvs},
+                   {"colours", info.colours},
+                   {"face_colours", info.face_colours},
+                   {"box",
+                    {{"min", vector(info.box_min)},
+                     {"max", vector(info.box_max)},
+                     {"size", vector(info.box_max - info.box_min)}}},
+                   {"surface", std::move(surface)},
+                   {"materials", info.materials},
+                   {"textures", std::move(maps)},
+                   {"transform", info.transform ? transform_json(*info.transform) : Json(nullptr)},
+                   {"cameras", info.cameras},
+                   {"warnings", info.warnings},
+                   {"version", SCANOUT_VERSION}}));
 }
 
 } // namespace scanout::app

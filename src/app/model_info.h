@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/model_file.h"
+#include "scene/placement.h"
 
 #include <cstddef>
 #include <optional>
@@ -39,7 +40,8 @@ struct ModelInfo {
     std::optional<double> volume;       // cubed, of what encloses one; nothing likewise
     std::vector<std::string> materials; // that have a name
     std::vector<MapInfo> maps;
-    std::vector<std::string> cameras; // of the file, one line each
+    std::optional<scene::Placement> transform; // by options; nothing where none is given
+    std::vector<std::string> cameras;          // of the file, one line each
     std::vector<std::string> warnings;
     double load_ms = 0;
 };

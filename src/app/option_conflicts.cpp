@@ -17,7 +17,34 @@ bool exclude_each_other(std::string_view name, std::string_view other) {
         return std::count(rivals.begin(), rivals.end(), name) > 0 &&
                std::count(rivals.begin(), rivals.end(), other) > 0;
     };
+    const auto is_window = [](std::string_view option) {
+        return option == "frustum" || option == "ortho";
+    };
+    const auto is_of_window = [&](std::string_view option) {
+        constexpr std::array<std::string_view, 5> kOfWindow = {"near", "far", "fov", "projection",
+                                                               "screen-fit"};
+        return is_window(option) ||
+               std::find(kOfWindow.begin(), kOfWindow.end(), option) != kOfWindow.end();
+    };
+    if ((is_window(name) && is_of_window(other)) || (is_window(other) && is_of_window(name)))
+        return true;
     return name == other || std::any_of(kRivals.begin(), kRivals.end(), names_both);
+}
+
+static bool is_given(const Settings& s, std::string_view name) {
+    return std::any_of(s.given.begin(), s.given.end(),
+                       [&](const GivenOption& one) { return one.name == name; });
+}
+
+// --frustum and --ortho say all that these say.
+static Result<void> check_window(const Settings& s) {
+    for (const std::string_view window : {"frustum", "ortho"})
+        for (const std::string_view other :
+             {"ortho", "near", "far", "fov", "projection", "screen-fit"})
+            if (window != other && is_given(s, window) && is_given(s, other))
+                return fail(Exit::usage, "--{} and --{} exclude each other: give one of them",
+                            window, other);
+    return {};
 }
 
 Result<void> check_together(const Settings& s) {
@@ -42,6 +69,7 @@ Result<void> check_together(const Settings& s) {
                     s.limits.wall_ms ? "--budget" : "--max-error", steadying);
     if (s.reference && s.renderer)
         return fail(Exit::usage, "--reference and --renderer each say who draws: give one of them");
+    TRY_VOID(check_window(s));
     TRY_VOID(check_textbook(s));
     if (s.verbose && s.quiet) return fail(Exit::usage, "--verbose and --quiet: give one of them");
     return {};

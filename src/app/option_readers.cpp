@@ -3,6 +3,7 @@
 #include "app/light_spec.h"
 #include "app/nearest.h"
 #include "app/values.h"
+#include "math/rotation.h"
 #include "math/srgb.h"
 #include "simd/targets.h"
 
@@ -76,21 +77,120 @@ Result<void> read_target(Settings& s, std::string_view text) {
     return {};
 }
 
+static void add_step(Settings& s, const DMat3& linear, const DVec3& offset = DVec3(0)) {
+    s.model.steps.push_back({linear, offset, s.order.about});
+    s.order.given = 4;
+}
+// Is it the transform's own? Then it has come now.
+static bool is_next(Settings& s, int part) {
+    if (s.order.given >= part || s.order.about) return false;
+    s.order.given = part;
+    return true;
+}
+
+Result<void> read_about(Settings& s, std::string_view text) {
+    s.order.about.reset();
+    if (text == "centre") return {};
+    TRY(s.order.about, parse_vector(text));
+    return {};
+}
+
+Result<void> read_rotate_axis(Settings& s, std::string_view text) {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    const auto axis = parse_vector(text.substr(0, colon));
+    const auto angle = parse_real(text.substr(std::min(colon + 1, text.size())));
+    if (!axis || !angle)
+        return fail(Exit::usage, "wants an axis and degrees, as in 1,1,0:30; not '{}'", text);
+    if (*axis == DVec3(0)) return fail(Exit::usage, "the axis must not be 0,0,0: '{}'", text);
+    add_step(s, rotation_about(normalized(*axis), *angle));
+    return {};
+}
+
+Result<void> read_shear(Settings& s, std::string_view text) {
+    const bool named = text.size() > 2 && text[1] == ':';
+    const std::size_t axis = named ? std::string_view("xyz").find(text[0]) : 3;
+    const auto shares = parse_list(named ? text.substr(2) : "", 2, 2);
+    if (axis > 2 || !shares)
+        return fail(Exit::usage,
+                    "wants x, y or z and by how much of the other two it moves, as in x:0.5,0; not "
+                    "'{}'",
+                    text);
+    add_step(s, scene::shear(static_cast<int>(axis), (*shares)[0], (*shares)[1]));
+    return {};
+}
+
+Result<void> read_matrix(Settings& s, std::string_view text) {
+    TRY(const std::vector<double> m, parse_list(text, 16, 16));
+    if (m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1)
+        return fail(Exit::usage,
+                    "the last row must be 0,0,0,1, not {},{},{},{}: a model is moved by no "
+                    "projection; --frustum gives one",
+                    m[12], m[13], m[14], m[15]);
+    const DMat3 linear(m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]);
+    if (!scene::is_invertible(linear))
+        return fail(
+            Exit::usage,
+            "is singular (determinant {}): it flattens the model, and nothing undoes it; give one "
+            "that can be inverted",
+            determinant(linear));
+    add_step(s, linear, {m[3], m[7], m[11]});
+    return {};
+}
+
+Result<void> read_near(Settings& s, std::string_view text) {
+    TRY(s.camera.near, parse_real(text));
+    return {};
+}
+
+Result<void> read_far(Settings& s, std::string_view text) {
+    TRY(s.camera.far, parse_real(text));
+    return {};
+}
+
+static Result<void> read_window(Settings& s, std::string_view text, scene::Projection projection) {
+    TRY(const std::vector<double> n, parse_list(text, 6, 6));
+    s.camera.projection = projection;
+    s.camera.window = scene::Window{projection, n[0], n[1], n[2], n[3]};
+    s.camera.near = n[4];
+    s.camera.far = n[5];
+    return {};
+}
+
+Result<void> read_frustum(Settings& s, std::string_view text) {
+    return read_window(s, text, scene::Projection::perspective);
+}
+
+Result<void> read_ortho(Settings& s, std::string_view text) {
+    return read_window(s, text, scene::Projection::orthographic);
+}
+
 Result<void> read_scale(Settings& s, std::string_view text) {
     TRY(const std::vector<double> numbers, parse_list(text, 1, 3));
     if (numbers.size() == 2) return fail(Exit::usage, "wants one number, or three; not '{}'", text);
     const bool one = numbers.size() == 1;
-    s.model.scale = DVec3(numbers[0], numbers[one ? 0 : 1], numbers[one ? 0 : 2]);
+    const DVec3 factors(numbers[0], numbers[one ? 0 : 1], numbers[one ? 0 : 2]);
+    if (is_next(s, 1))
+        s.model.scale = factors;
+    else
+        add_step(s, scene::scaling(factors));
     return {};
 }
 
 Result<void> read_rotate(Settings& s, std::string_view text) {
-    TRY(s.model.rotate_degrees, parse_vector(text));
+    TRY(const DVec3 degrees, parse_vector(text));
+    if (is_next(s, 2))
+        s.model.rotate_degrees = degrees;
+    else
+        add_step(s, scene::rotation_xyz(degrees));
     return {};
 }
 
 Result<void> read_translate(Settings& s, std::string_view text) {
-    TRY(s.model.translate, parse_vector(text));
+    TRY(const DVec3 way, parse_vector(text));
+    if (is_next(s, 3))
+        s.model.translate = way;
+    else
+        add_step(s, DMat3(1), way);
     return {};
 }
 

@@ -252,6 +252,22 @@ constexpr std::array kOptions = std::to_array<Option>({
      "--state; what the command line says counts before it"},
     {"fov", 0, "DEGREES", "", "45", 0.1, 175, Group::camera, kLoad,
      Real([](Settings& s) -> double& { return s.camera.fov_degrees; }), "vertical field of view"},
+    {"screen-fit", 0, "", "height width stretch", "height", 0, 0, Group::camera, kLoad,
+     Choice([](Settings& s, std::size_t i) {
+         s.camera.screen_fit = static_cast<scene::ScreenFit>(i);
+     }),
+     "of the picture's sides, the one that --fov is of; stretch: both, as if the picture were "
+     "square"},
+    {"near", 0, "DISTANCE", "", "", 0, 0, Group::camera, kLoad, Parsed(read_near),
+     "cut away what is nearer to the eye's plane, in bounding radii; default: nothing that shows"},
+    {"far", 0, "DISTANCE", "", "", 0, 0, Group::camera, kLoad, Parsed(read_far),
+     "cut away what is farther from the eye's plane, in bounding radii; default: nothing"},
+    {"frustum", 0, "L,R,B,T,N,F", "", "", 0, 0, Group::camera, kLoad, Parsed(read_frustum),
+     "see from the eye through a window from L to R and from B to T on the near plane, at N, as "
+     "far "
+     "as F, in bounding radii; in place of --fov, --near and --far"},
+    {"ortho", 0, "L,R,B,T,N,F", "", "", 0, 0, Group::camera, kLoad, Parsed(read_ortho),
+     "the same without foreshortening"},
     {"projection", 0, "", "perspective orthographic", "perspective", 0, 0, Group::camera, kLoad,
      Choice([](Settings& s, std::size_t i) {
          s.camera.projection = static_cast<scene::Projection>(i);
@@ -285,12 +301,27 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"opacity", 0, "X|auto", "", "auto", 0, 0, Group::model, kDraw, Parsed(read_opacity),
      "opacity of all materials, from 0 to 1, in place of d, Tr and map_d; the alpha of map_Kd "
      "stays"},
-    {"scale", 0, "S or X,Y,Z", "", "1", 0, 0, Group::model, kLoad, Parsed(read_scale),
-     "scale the model about its centre, first"},
-    {"rotate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kLoad, Parsed(read_rotate),
-     "then turn it, in degrees about x, y and z, in this order"},
-    {"translate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kLoad, Parsed(read_translate),
-     "then move it, in bounding radii"},
+    {"scale", 0, "S or X,Y,Z", "", "1", 0, 0, Group::model, kRead, Parsed(read_scale),
+     "scale the model about its centre; transforms are done in the order in which they are given, "
+     "each as often as it is given",
+     false, true, true},
+    {"rotate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kRead, Parsed(read_rotate),
+     "turn it, in degrees about x, y and z, in this order", false, true, true},
+    {"rotate-axis", 0, "X,Y,Z:DEGREES", "", "", 0, 0, Group::model, kRead, Parsed(read_rotate_axis),
+     "turn it about this axis", false, true, true},
+    {"translate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kRead, Parsed(read_translate),
+     "move it, in bounding radii", false, true, true},
+    {"shear", 0, "AXIS:A,B", "", "", 0, 0, Group::model, kRead, Parsed(read_shear),
+     "shear it: x:A,B moves x by A y + B z, y:A,B moves y by A x + B z, z:A,B moves z by A x + B y",
+     false, true, true},
+    {"matrix", 0, "16 NUMBERS", "", "", 0, 0, Group::model, kRead, Parsed(read_matrix),
+     "transform it by a matrix, four rows of four numbers with commas between, for columns x, y, "
+     "z, "
+     "1: the last row is 0,0,0,1, the last column moves, in bounding radii",
+     false, true, true},
+    {"about", 0, "X,Y,Z|centre", "", "centre", 0, 0, Group::model, kRead, Parsed(read_about),
+     "do the transforms that follow about this point, in the file's coordinates", false, true,
+     true},
     {"section", 0, "PLANE", "", "none", 0, 0, Group::model, kDraw, Parsed(read_section),
      "cut away what lies in front of a plane, and cap the cut where the surface is closed: x:0.5 "
      "cuts "

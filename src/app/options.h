@@ -48,6 +48,7 @@ struct Option {
     std::string_view help;
     bool optional_value = false; // --name, or --name=VALUE
     bool repeats = false;        // each of several counts, not only the last
+    bool in_order = false;       // and they are applied in the order of the command line
 };
 
 std::span<const Option> options();

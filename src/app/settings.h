@@ -67,6 +67,13 @@ struct SheetGrid {
     int columns = 1, rows = 1;
 };
 
+// What of a model's transform has been given: scale, rotation and translation in this order are the
+// transform's own; what comes in another order, more often or about a point is a step of its own.
+struct ModelOrder {
+    int given = 0; // 1: scale, 2: rotation, 3: translation, 4: steps
+    std::optional<DVec3> about;
+};
+
 // One part of a run: of all pictures, numbered from 0, those whose number is index modulo count.
 struct Shard {
     int index = 0, count = 1;
@@ -100,6 +107,7 @@ struct Settings {
     bool holds_budget = true; // while the viewer's picture moves; false: --budget none
     measure::Limits limits;   // --budget, --max-error: the other axes' rungs are chosen
     scene::ModelTransform model;
+    ModelOrder order; // while the command line is read
     std::optional<scene::SectionSpec> section;
     std::optional<io::ModelFormat> model_format; // --model-format
     int max_memory_mb = 0; // that loading a model, or its reference, may take; 0: what is available

@@ -34,9 +34,10 @@ std::string quoted(const std::string& word) {
 }
 
 bool says_the_view(std::string_view option) {
-    constexpr std::array<std::string_view, 12> kWritten = {
-        "size",    "cull",  "colour-by", "edges",     "annotate", "section",
-        "measure", "scale", "rotate",    "translate", "exposure", "background"};
+    constexpr std::array<std::string_view, 16> kWritten = {
+        "size",    "cull",        "colour-by", "edges",     "annotate", "section",
+        "measure", "scale",       "rotate",    "translate", "exposure", "background",
+        "shear",   "rotate-axis", "matrix",    "about"};
     return std::find(kWritten.begin(), kWritten.end(), option) != kWritten.end() ||
            std::find(kSwitchedAxes.begin(), kSwitchedAxes.end(), option) != kSwitchedAxes.end();
 }
@@ -88,6 +89,13 @@ DVec3 angles_of(const DMat3& m) {
 // the command line gave it.
 scene::ModelTransform transform_of(const DMat3& placed, const DVec3& given_scale) {
     scene::ModelTransform transform;
+    for (int axis = 0; axis < 3; ++axis) {
+        const DVec3 &a = placed[axis], &b = placed[(axis + 1) % 3];
+        if (std::abs(dot3(a, b)) > 1e-9 * length(a) * length(b)) { // it is sheared
+            transform.steps.push_back({placed, DVec3(0), {}});
+            return transform;
+        }
+    }
     DMat3 rotation = placed;
     for (int axis = 0; axis < 3; ++axis) {
         const double size = length(placed[axis]);
@@ -96,6 +104,45 @@ scene::ModelTransform transform_of(const DMat3& placed, const DVec3& given_scale
     }
     transform.rotate_degrees = angles_of(rotation);
     return transform;
+}
+
+bool is_windowed(const scene::CameraOptions& camera) {
+    return camera.window && camera.window->projection == camera.projection;
+}
+
+// What the picture shows of what lies before the camera.
+std::string extent_options(const scene::View& view, const scene::CameraOptions& camera) {
+    const bool perspective = view.projection == scene::Projection::perspective;
+    if (is_windowed(camera)) {
+        const double unit = perspective ? view.near_distance : 1;
+        const DVec2 low = (view.middle - DVec2(view.half_width, view.half_height)) * unit,
+                    high = (view.middle + DVec2(view.half_width, view.half_height)) * unit;
+        return fmt::format(" --{} {},{},{},{},{},{}", perspective ? "frustum" : "ortho", low.x,
+                           high.x, low.y, high.y, camera.near.value_or(0), camera.far.value_or(0));
+    }
+    std::string text =
+        fmt::format(" --projection {}", perspective ? "perspective" : "orthographic");
+    if (camera.fov_degrees != scene::CameraOptions().fov_degrees)
+        text += fmt::format(" --fov {}", number(camera.fov_degrees));
+    if (camera.screen_fit != scene::ScreenFit::height)
+        text += camera.screen_fit == scene::ScreenFit::width ? " --screen-fit width"
+                                                             : " --screen-fit stretch";
+    if (camera.window) return text; // its planes are the other projection's
+    if (camera.near) text += fmt::format(" --near {}", *camera.near);
+    if (camera.far) text += fmt::format(" --far {}", *camera.far);
+    return text;
+}
+
+// Of a transform that is one step, a matrix.
+std::string model_options(const scene::ModelTransform& model) {
+    if (model.steps.empty())
+        return fmt::format(" --scale {} --rotate {} --translate {}", triple(model.scale),
+                           triple(model.rotate_degrees), triple(model.translate));
+    const DMat3& m = model.steps.front().linear;
+    std::string text = " --matrix ";
+    for (int row = 0; row < 3; ++row)
+        text += fmt::format("{},{},{},{},", m[0][row], m[1][row], m[2][row], model.translate[row]);
+    return text + "0,0,0,1";
 }
 
 // A camera without roll that looks along the present line of sight from beside the world's origin.
@@ -109,9 +156,14 @@ scene::CameraOptions camera_of(const scene::View& view, const DMat3& to_view,
                    -90.0, 90.0);
     camera.fov_degrees = settings.camera.fov_degrees;
     camera.projection = view.projection;
+    camera.screen_fit = settings.camera.screen_fit;
+    camera.window = settings.camera.window;
+    camera.near = settings.camera.near;
+    camera.far = settings.camera.far;
     camera.up = up;
     const double half_fov = camera.fov_degrees / 2;
-    camera.distance = view.projection == scene::Projection::perspective
+    camera.distance = view.projection == scene::Projection::perspective || is_windowed(camera) ||
+                              camera.screen_fit != scene::ScreenFit::height
                           ? view.target_distance
                           : view.half_height * cos_degrees(half_fov) / sin_degrees(half_fov);
     camera.shift = DVec2(-view.world_origin.x, -view.world_origin.y); // lamps stay where they are
@@ -156,10 +208,11 @@ std::string view_options(const Viewer& viewer, const Settings& settings, const g
                           ? to_world * (now->translation - plain->translation)
                           : to_world * (now->translation +
                                         DVec3(camera.shift.x, camera.shift.y, camera.distance));
-    std::string text = given_options(settings, look.rendering) +
-                       fmt::format("--size {}x{} {} --projection {} --up {} --cull {}",
-                                   viewer.width(), viewer.height(), place_options(camera),
-                                   name_of(look.projection), name_of(look.up), name_of(look.cull));
+    std::string text =
+        given_options(settings, look.rendering) +
+        fmt::format("--size {}x{} {}{} --up {} --cull {}", viewer.width(), viewer.height(),
+                    place_options(camera), extent_options(*now, camera), name_of(look.up),
+                    name_of(look.cull));
     text += rendering_options(look.rendering);
     if (look.colour_by != "light") text += fmt::format(" --colour-by {}", look.colour_by);
     if (look.edges != "none") text += fmt::format(" --edges {}", look.edges);
@@ -171,12 +224,9 @@ std::string view_options(const Viewer& viewer, const Settings& settings, const g
         for (std::size_t i = 0; i < points.size(); ++i)
             text += (i > 0 ? ":" : "") + triple(points[i]);
     }
-    if (camera.fov_degrees != scene::CameraOptions().fov_degrees)
-        text += fmt::format(" --fov {}", number(camera.fov_degrees));
     if (!look.flies)
         text += fmt::format(" --shift {},{}", number(camera.shift.x), number(camera.shift.y));
-    return text + fmt::format(" --scale {} --rotate {} --translate {}", triple(model.scale),
-                              triple(model.rotate_degrees), triple(model.translate));
+    return text + model_options(model);
 }
 
 std::string view_command(const std::string& path, const std::string& options) {

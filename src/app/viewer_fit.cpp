@@ -28,8 +28,8 @@ std::optional<Extent> extent_of(const geom::Mesh& mesh, const scene::View& view)
         const DVec3 seen = view.linear * DVec3(vertex.x, vertex.y, vertex.z) + view.translation;
         const double distance = perspective ? -seen.z : 1;
         if (!(distance > view.near_distance)) return std::nullopt;
-        const double x = seen.x / (distance * view.half_width);
-        const double y = seen.y / (distance * view.half_height);
+        const double x = (seen.x / distance - view.middle.x) / view.half_width;
+        const double y = (seen.y / distance - view.middle.y) / view.half_height;
         extent.left = std::min(extent.left, x);
         extent.right = std::max(extent.right, x);
         extent.bottom = std::min(extent.bottom, y);

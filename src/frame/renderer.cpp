@@ -379,7 +379,8 @@ void Renderer::State::count_frame(const FrameInput& input) {
     jobs.for_each(geometry.tiles(), [&](int tile, int number) {
         TileWorker& worker = workers[static_cast<std::size_t>(number)];
         raster::VisibilityTile& visible = worker.visibility;
-        if (!geometry.is_empty(tile)) count_covering(geometry, tile, visible, worker.by_id, *marks);
+        if (!geometry.is_empty(tile))
+            count_covering(geometry, tile, visible, input.plan.depth_rule, worker.by_id, *marks);
         if (input.visibility == nullptr) return;
         visible.reset(geometry.tile_area(tile), 1, input.plan.depth_rule);
         geometry.draw(tile, visible);

@@ -24,6 +24,13 @@ DMat3 rotation_z(double degrees) {
     return DMat3(c, s, 0, -s, c, 0, 0, 0, 1);
 }
 
+DMat3 rotation_about(const DVec3& u, double degrees) {
+    const double s = sin_degrees(degrees), c = cos_degrees(degrees);
+    const DMat3 cross(DVec3(0, u.z, -u.y), DVec3(-u.z, 0, u.x), DVec3(u.y, -u.x, 0));
+    const DMat3 outer(u * u.x, u * u.y, u * u.z);
+    return DMat3(c) + cross * s + outer * (1 - c);
+}
+
 DMat3 cofactor(const DMat3& m) {
     return DMat3(cross3(m[1], m[2]), cross3(m[2], m[0]), cross3(m[0], m[1]));
 }

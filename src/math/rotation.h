@@ -9,6 +9,8 @@ namespace scanout {
 DMat3 rotation_x(double degrees);
 DMat3 rotation_y(double degrees);
 DMat3 rotation_z(double degrees);
+// About an axis of length 1, by Rodrigues' formula.
+DMat3 rotation_about(const DVec3& axis, double degrees);
 
 // The cofactor matrix: transforms normals as the inverse transpose does, but stays finite for
 // singular matrices (times det, so its sign flips for mirrored ones).

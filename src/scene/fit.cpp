@@ -24,10 +24,13 @@ public:
         for (int axis = 0; axis < 3; ++axis)
             largest = std::max(largest, std::abs(model.scale[axis]));
         const DVec3 s = largest > 0 && std::isfinite(largest) ? model.scale / largest : DVec3(1);
-        const DMat3 scale(DVec3(s.x, 0, 0), DVec3(0, s.y, 0), DVec3(0, 0, s.z));
-        const DMat3 placed = rotation_z(model.rotate_degrees.z) *
-                             rotation_y(model.rotate_degrees.y) *
-                             rotation_x(model.rotate_degrees.x) * scale;
+        DMat3 placed = rotation_xyz(model.rotate_degrees) * scaling(s);
+        if (!model.steps.empty()) {
+            for (const TransformStep& step : model.steps)
+                placed = step.linear * placed;
+            const double most = stretch_of(placed).most;
+            if (most > 0 && std::isfinite(most)) placed = placed / most;
+        }
         const DMat3 to_view =
             rotation_x(camera.elevation_degrees) * rotation_y(-camera.azimuth_degrees);
         turns = std::clamp(turns, 1, kMaxTurns);
@@ -108,7 +111,7 @@ CameraOptions fitted(const geom::Mesh& mesh, const ModelTransform& model,
     const bool perspective = camera.projection == Projection::perspective;
     const double half_fov = camera.fov_degrees / 2;
     const double tangent = sin_degrees(half_fov) / cos_degrees(half_fov) * kFitFill;
-    const DVec2 slope(tangent * aspect, tangent);
+    const DVec2 slope = half_extents(tangent, camera.screen_fit, aspect);
     Reach reach[2];
     double nearest = -std::numeric_limits<double>::infinity();
     vertices.each([&](const DVec3& p) {

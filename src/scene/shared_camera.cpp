@@ -22,16 +22,27 @@ geom::Mesh vertices_of_both(const geom::Mesh& first, const geom::Mesh& second) {
     return both;
 }
 
+// The same planes and window, in radii that are so many times as many.
+CameraOptions with_planes_at(CameraOptions camera, double radii) {
+    for (std::optional<double>* const plane : {&camera.near, &camera.far})
+        if (*plane) **plane *= radii;
+    if (camera.window)
+        for (double* const side : {&camera.window->left, &camera.window->right,
+                                   &camera.window->bottom, &camera.window->top})
+            *side *= radii;
+    return camera;
+}
+
 } // namespace
 
 std::pair<CameraOptions, CameraOptions> shared_cameras(const geom::Mesh& first,
                                                        const geom::Mesh& second,
                                                        const CameraOptions& camera, double aspect) {
-    if (camera.eye) return {camera, camera};
+    const double radii = radii_per_unit(second) / radii_per_unit(first);
+    if (camera.eye) return {camera, with_planes_at(camera, radii)};
     CameraOptions of_first = fitted(vertices_of_both(first, second), {}, camera, aspect);
     of_first.pivot = first.centre;
-    CameraOptions of_second = of_first;
-    const double radii = radii_per_unit(second) / radii_per_unit(first);
+    CameraOptions of_second = with_planes_at(of_first, radii);
     of_second.distance *= radii;
     of_second.shift *= radii;
     return {of_first, of_second};

@@ -9,8 +9,8 @@
 namespace scanout::scene {
 
 // For each model the camera that shows it where it lies in its file: both pictures show the same
-// part of space. Where `camera` says no distance, both models fit (scene/fit.h); a distance and a
-// shift are in bounding radii of the first.
+// part of space. Where `camera` says no distance, both models fit (scene/fit.h); a distance, a
+// shift, near, far and a window are in bounding radii of the first.
 std::pair<CameraOptions, CameraOptions> shared_cameras(const geom::Mesh& first,
                                                        const geom::Mesh& second,
                                                        const CameraOptions& camera, double aspect);

@@ -3,6 +3,8 @@
 #include "math/bits.h"
 #include "math/rotation.h"
 #include "math/transcendental.h"
+#include "scene/largest_entry.h"
+#include "scene/placement.h"
 
 #include <algorithm>
 #include <array>
@@ -68,14 +70,6 @@ double units_to_degrees(int units) {
     return static_cast<double>(units) / kAngleUnitsPerDegree;
 }
 
-double largest_entry(const DMat3& m) {
-    double largest = 0;
-    for (int c = 0; c < 3; ++c)
-        for (int r = 0; r < 3; ++r)
-            largest = std::max(largest, std::abs(m[c][r]));
-    return largest;
-}
-
 // The cofactor matrix with the sign of a proper rotation, brought to a largest entry of 1: products
 // of entries neither overflow nor vanish, and floats can hold the result.
 void set_normal_matrix(View& view) {
@@ -88,26 +82,71 @@ void set_normal_matrix(View& view) {
     view.normal = normal / (view.mirrored ? -largest : largest);
 }
 
-void set_projection(View& view, const CameraOptions& camera, double tan_half, double aspect,
-                    double distance, double radius) {
+void set_extent(View& view, const CameraOptions& camera, double tan_half, double aspect,
+                double distance, double zoom) {
+    const bool perspective = camera.projection == Projection::perspective;
+    if (camera.window) {
+        const Window& w = *camera.window;
+        const double unit = perspective ? 1 / camera.near.value_or(1) : 1 / zoom;
+        view.half_width = (w.right - w.left) / 2 * unit;
+        view.half_height = (w.top - w.bottom) / 2 * unit;
+        view.middle = DVec2(w.left + w.right, w.bottom + w.top) * (unit / 2);
+        return;
+    }
+    const DVec2 half =
+        half_extents(perspective ? tan_half : tan_half * distance, camera.screen_fit, aspect);
+    view.half_width = half.x;
+    view.half_height = half.y;
+}
+
+// Orthographic depth between the planes that the caller gives, where they cut the model.
+void set_parallel_depth(View& view, double radius) {
+    double least = view.translation.z - radius, most = view.translation.z + radius;
+    if (-view.cut_near > least) most = std::min(most, -view.cut_near);
+    if (-view.cut_far < most) least = std::max(least, -view.cut_far);
+    view.depth_origin = least;
+    view.depth_scale = 1 / (most - least);
+}
+
+void set_projection(View& view, const CameraOptions& camera, double distance, double radius) {
     view.projection = camera.projection;
     view.centre_distance = -view.translation.z;
     const bool perspective = camera.projection == Projection::perspective;
-    view.half_height = perspective ? tan_half : tan_half * distance;
-    view.half_width = view.half_height * aspect;
     // Reversed, infinite: depth = near / distance keeps its relative precision everywhere, so near
     // may be small. It is a fixed share of the way to what is looked at, or to the end of the model
     // where that is nearer: a target far behind the model cuts nothing off.
     view.target_distance = distance;
     view.near_distance = std::min(distance, length(view.translation) + radius) * 0x1p-14;
+    if (camera.near) (perspective ? view.near_distance : view.cut_near) = *camera.near;
+    if (camera.far) view.cut_far = *camera.far;
     // Without perspective it changes nothing how far away the model stands; from very far its own
     // depth would be lost in the sum.
-    if (!perspective && std::abs(view.translation.z) > radius * 0x1p20) {
+    const bool cuts = camera.near || camera.far;
+    if (!perspective && !cuts && std::abs(view.translation.z) > radius * 0x1p20) {
         view.world_origin.z -= view.translation.z;
         view.translation.z = 0;
     }
     view.depth_origin = view.translation.z - radius;
     view.depth_scale = 1 / (2 * radius);
+    if (!perspective && cuts) set_parallel_depth(view, radius);
+}
+
+Result<void> check_cuts(const CameraOptions& camera) {
+    const bool perspective = camera.projection == Projection::perspective;
+    if (camera.near && perspective && !(*camera.near > 0))
+        return fail(Exit::usage,
+                    "the near plane must lie before the eye: give a distance above 0, not {}",
+                    *camera.near);
+    constexpr double kEverywhere = -std::numeric_limits<double>::infinity();
+    if (camera.far && !(*camera.far > camera.near.value_or(perspective ? 0 : kEverywhere)))
+        return fail(Exit::usage, "the far plane must lie beyond {}, not at {}",
+                    camera.near ? fmt::format("the near plane, {}", *camera.near) : "the eye",
+                    *camera.far);
+    if (const auto& w = camera.window; w && !(w->left < w->right && w->bottom < w->top))
+        return fail(Exit::usage,
+                    "left must be below right and bottom below top: {} to {}, {} to {}", w->left,
+                    w->right, w->bottom, w->top);
+    return {};
 }
 
 // Whether all that is made of the view stays a number: floats hold depth, at most this small, and
@@ -203,17 +242,25 @@ std::optional<NamedView> named_view(std::string_view name) {
 }
 
 Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, const Pose& pose,
-                       const CameraOptions& camera, const Orbit& orbit, int width, int height,
+                       const CameraOptions& given, const Orbit& orbit, int width, int height,
                        const Flight& flight) {
+    CameraOptions camera = given;
+    if (camera.window && camera.window->projection != camera.projection) { // of the other one
+        camera.window.reset();
+        camera.near.reset();
+        camera.far.reset();
+    }
     if (!(camera.distance >= 0))
         return fail(Exit::usage, "the camera's distance must be positive, not {}", camera.distance);
     if (!(camera.fov_degrees > 0) || !(camera.fov_degrees < 180))
         return fail(Exit::usage, "the field of view must lie between 0 and 180 degrees, not {}",
                     camera.fov_degrees);
+    TRY_VOID(check_cuts(camera));
     const double aspect = static_cast<double>(width) / height;
     const double half_fov = camera.fov_degrees / 2;
     const double tan_half = sin_degrees(half_fov) / cos_degrees(half_fov);
-    const double narrow = tan_half * std::min(1.0, aspect);
+    const DVec2 extents = half_extents(tan_half, camera.screen_fit, aspect);
+    const double narrow = std::min(extents.x, extents.y);
     const double fit_distance = scanout::sqrt(1 + narrow * narrow) / narrow; // 1 / sin(half angle)
 
     const DMat3 up = up_rotation(camera.up);
@@ -225,18 +272,15 @@ Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, cons
         rotation_y(-(stand.azimuth + units_to_degrees(orbit.azimuth))); // world -> view
     const double distance = stand.distance / zoom_scale(orbit.zoom);
 
-    const DMat3 scale(DVec3(model.scale.x, 0, 0), DVec3(0, model.scale.y, 0),
-                      DVec3(0, 0, model.scale.z));
-    const DMat3 placed = rotation_z(model.rotate_degrees.z) * rotation_y(model.rotate_degrees.y) *
-                         rotation_x(model.rotate_degrees.x) * scale;
+    const Placement placed = placement_of(model, mesh, camera.up);
     const DMat3 posed = rotation_z(units_to_degrees(pose.roll)) *
                         rotation_x(units_to_degrees(pose.pitch)) * rotation *
                         rotation_y(units_to_degrees(pose.yaw));
     const DVec3 shift(camera.shift.x, camera.shift.y, 0);
     View view;
-    view.linear = posed * placed * up * (zoom_scale(pose.zoom) / mesh.radius);
+    view.linear = posed * placed.linear * up * (zoom_scale(pose.zoom) / mesh.radius);
     view.translation =
-        rotation * (model.translate - stand.target) + pan_of(pose.pan_x, pose.pan_y, pose.pan_z) -
+        rotation * (placed.offset - stand.target) + pan_of(pose.pan_x, pose.pan_y, pose.pan_z) -
         pan_of(orbit.pan_x, orbit.pan_y, orbit.pan_z) - shift - DVec3(0, 0, distance);
     view.up = camera.up;
     view.world_axes = rotation * up;
@@ -256,25 +300,26 @@ Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, cons
     const double largest = largest_entry(view.linear);
     const double radius =
         largest * 3.001 + (largest > 0 ? std::min(largest * 0x1p-10, 0x1p-20) : 0x1p-20);
-    set_projection(view, camera, tan_half, aspect, distance, radius);
+    set_extent(view, camera, tan_half, aspect, distance, zoom_scale(orbit.zoom));
+    set_projection(view, camera, distance, radius);
     TRY_VOID(check_ratios(view, distance, radius));
     return view;
 }
 
 DMat3 turn_of(const Flight& flight, const DMat3& rotation) {
-    // Rodrigues: about the world's up axis, as the camera on the orbit sees it.
-    const DVec3 u = rotation[1];
-    const double s = sin_degrees(-units_to_degrees(flight.azimuth)),
-                 c = cos_degrees(units_to_degrees(flight.azimuth));
-    const DMat3 cross(DVec3(0, u.z, -u.y), DVec3(-u.z, 0, u.x), DVec3(u.y, -u.x, 0));
-    const DMat3 outer(u * u.x, u * u.y, u * u.z);
-    const DMat3 about_up = DMat3(c) + cross * s + outer * (1 - c);
-    return rotation_x(-units_to_degrees(flight.elevation)) * about_up;
+    // About the world's up axis, as the camera on the orbit sees it.
+    return rotation_x(-units_to_degrees(flight.elevation)) *
+           rotation_about(rotation[1], -units_to_degrees(flight.azimuth));
 }
 
 double to_floats(const View& view) {
     const double largest = largest_length(view);
     return largest < 0x1p40 ? 1.0 : scanout::scale(0x1p40, -decompose(largest).exponent);
+}
+
+DVec2 half_extents(double half, ScreenFit fit, double aspect) {
+    return {fit == ScreenFit::height ? half * aspect : half,
+            fit == ScreenFit::width ? half / aspect : half};
 }
 
 DVec3 in_view(const DVec3& file_place, const View& view, const geom::Mesh& mesh) {
@@ -283,8 +328,9 @@ DVec3 in_view(const DVec3& file_place, const View& view, const geom::Mesh& mesh)
 
 DVec2 picture_point(const View& view, const DVec3& seen, int width, int height) {
     const double distance = view.projection == Projection::perspective ? -seen.z : 1;
-    return {(seen.x / (distance * view.half_width) + 1) / 2 * width,
-            (1 - seen.y / (distance * view.half_height)) / 2 * height};
+    const double x = seen.x - distance * view.middle.x, y = seen.y - distance * view.middle.y;
+    return {(x / (distance * view.half_width) + 1) / 2 * width,
+            (1 - y / (distance * view.half_height)) / 2 * height};
 }
 
 double world_units_per_pixel(const View& view, int height) {

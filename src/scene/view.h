@@ -6,9 +6,12 @@
 #include "geom/mesh.h"
 #include "math/vec.h"
 #include "scene/pose.h"
+#include "scene/transform.h"
 
+#include <limits>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace scanout::scene {
 
@@ -17,18 +20,35 @@ enum class UpAxis : std::uint8_t { plus_y, minus_y, plus_z, minus_z, plus_x, min
 std::string_view name_of(UpAxis up); // "y", "-y" ...
 DMat3 up_rotation(UpAxis up);        // the file's axes -> the world's axes, where y is up
 
-// --scale, then --rotate (about x, y, z in this order), then --translate, about the model's centre.
+// Scale, then rotation (about x, y, z in this order), then translation, about the model's centre;
+// then the steps.
 struct ModelTransform {
     DVec3 scale{1}; // one number on the command line, or three
     DVec3 rotate_degrees{0};
     DVec3 translate{0}; // bounding radii
+    std::vector<TransformStep> steps;
+};
+
+// Of the picture's sides, --fov's: its height, its width, or both, whatever the shape of pixels.
+enum class ScreenFit : std::uint8_t { height, width, stretch };
+
+// A picture's sides, as they are given: bounding radii on the near plane, or everywhere where the
+// view is orthographic. Only for that projection.
+struct Window {
+    Projection projection = Projection::perspective;
+    double left = -1, right = 1, bottom = -1, top = 1;
 };
 
 struct CameraOptions {
     double azimuth_degrees = 0, elevation_degrees = 0;
     double distance = 0; // bounding radii; 0: the sphere just fits the narrower side of the picture
     DVec2 shift{0};      // of the eye and what it looks at: to the right and up, bounding radii
-    double fov_degrees = 45; // vertical
+    double fov_degrees = 45; // vertical, but for what `screen_fit` says
+    ScreenFit screen_fit = ScreenFit::height;
+    std::optional<Window> window; // in place of fov_degrees and screen_fit
+    // Bounding radii from the eye: what is nearer or farther is not drawn. Of a perspective view
+    // above 0; where it is not given, so near that nothing is missed. With a window they are its.
+    std::optional<double> near, far;
     Projection projection = Projection::perspective;
     UpAxis up = UpAxis::plus_y;
     std::optional<DVec3>
@@ -59,7 +79,12 @@ struct View {
     Projection projection = Projection::perspective;
     // Half the picture's extent at distance 1 (perspective) or everywhere (orthographic).
     double half_width = 1, half_height = 1;
-    double near_distance = 0;   // perspective: clips nearer points; depth = near / distance
+    DVec2 middle{0};          // of the picture: its place to the right and up, likewise
+    double near_distance = 0; // perspective: clips nearer points; depth = near / distance
+    // What the caller cuts off, by the distance from the eye's plane: what is nearer, where the
+    // view is orthographic; what is farther.
+    double cut_near = -std::numeric_limits<double>::infinity(),
+           cut_far = std::numeric_limits<double>::infinity();
     double target_distance = 0; // from the eye to what it looks at
     // Orthographic: depth = (z - depth_origin) * depth_scale, in (0, 1) for all of the model.
     double depth_origin = 0, depth_scale = 1;
@@ -79,6 +104,9 @@ double radii_per_unit(const geom::Mesh& mesh); // of the file
 Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, const Pose& pose,
                        const CameraOptions& camera, const Orbit& orbit, int width, int height,
                        const Flight& flight = {});
+
+// Half of the picture's width and height, of whose sides `fit` names one that is this long.
+DVec2 half_extents(double half, ScreenFit fit, double aspect);
 
 // How the flight turns what the camera on the orbit sees; `rotation` is that camera's, world ->
 // view.

@@ -1,6 +1,7 @@
 #include "textbook/assemble.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -16,9 +17,10 @@ std::pair<double, double> near_and_far(const geom::Mesh& mesh, const scene::View
         most = std::max(most, distance);
     }
     const bool perspective = view.projection == scene::Projection::perspective;
-    const double n = perspective ? view.near_distance : least;
-    return {n,
-            std::max(most, n) + (std::max(most, n) - n) * 0x1p-20 + view.near_distance + 0x1p-30};
+    const double n = perspective ? view.near_distance : std::max(least, view.cut_near);
+    const double f =
+        std::max(most, n) + (std::max(most, n) - n) * 0x1p-20 + view.near_distance + 0x1p-30;
+    return {n, std::min(f, view.cut_far)};
 }
 
 Vertex vertex_of(const geom::Mesh& mesh, const scene::View& view, const Projection& projection,
@@ -36,6 +38,19 @@ Vertex vertex_of(const geom::Mesh& mesh, const scene::View& view, const Projecti
 
 DVec3 part(const Vertex& v, std::size_t first) {
     return {v.values[first], v.values[first + 1], v.values[first + 2]};
+}
+
+// By the distance from the eye's plane, which is linear in all that a vertex has: what the caller
+// cuts off, whichever way the rest is cut.
+Polygon between_cuts(Polygon polygon, const scene::View& view) {
+    constexpr std::size_t z = kPlace + 2;
+    if (std::isfinite(view.cut_near))
+        polygon =
+            clip_by_side(polygon, [&](const Vertex& v) { return -v.values[z] - view.cut_near; });
+    if (std::isfinite(view.cut_far))
+        polygon =
+            clip_by_side(polygon, [&](const Vertex& v) { return view.cut_far + v.values[z]; });
+    return polygon;
 }
 
 // All normals of a face together, to the side that the eye sees.
@@ -136,7 +151,10 @@ std::vector<Triangle> assemble(const geom::Mesh& mesh, const scene::View& view, 
         for (std::size_t k = 0; k < 3; ++k)
             corners[k] = vertex_of(mesh, view, projection, mesh.index[3 * t + k]);
         if (look.two_sided) turn_to_eye(corners, view.projection == scene::Projection::perspective);
-        assembler.add(corners, static_cast<std::uint32_t>(t), triangles);
+        for_each_of_fan(between_cuts({corners.begin(), corners.end()}, view),
+                        [&](const std::array<Vertex, 3>& part_of_it) {
+                            assembler.add(part_of_it, static_cast<std::uint32_t>(t), triangles);
+                        });
     }
     return triangles;
 }

@@ -15,7 +15,7 @@ DepthRow course_depth(double n, double f) {
 }
 
 Projection::Projection(const scene::View& view, const Parts& parts, double n, double f)
-    : x_(1 / view.half_width), y_(1 / view.half_height),
+    : x_(1 / view.half_width), y_(1 / view.half_height), middle_(view.middle),
       perspective_(view.projection == scene::Projection::perspective), hidden_(parts.hidden),
       conventions_(parts.conventions), n_(n), f_(f),
       row_(parts.conventions.depth_ends_at_1 ? pseudo_depth(n, f, parts.conventions.depth_at_near)
@@ -32,7 +32,7 @@ DVec4 Projection::clip_of(const DVec3& place) const {
     double depth = row_.c * distance + row_.d; // after the division: pseudo-depth
     if (hidden_ == Hidden::z_linear) depth = clip_depth_z_linear(distance, w, n_, f_);
     if (hidden_ == Hidden::z_squared) depth = clip_depth_z_squared(distance, w);
-    return {place.x * x_, place.y * y_, depth, w};
+    return {(place.x - w * middle_.x) * x_, (place.y - w * middle_.y) * y_, depth, w};
 }
 
 Plane Projection::near_plane() const {

@@ -25,6 +25,7 @@ struct Projection {
 
 private:
     double x_, y_; // scales
+    DVec2 middle_; // of the picture, at distance 1
     bool perspective_;
     Hidden hidden_;
     Conventions conventions_;

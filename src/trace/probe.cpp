@@ -27,7 +27,7 @@ Result<Probe> Probe::create(const scene::Scene& scene, const scene::View& view, 
 
 Hit Probe::first(const Ray& ray) const {
     for (Hit hit{world_.nearest(), kNothing, {}};;) {
-        hit = world_.bvh().next(ray, hit);
+        hit = world_.next(ray, hit);
         if (!hit.any() || (!world_.is_left_out(hit.triangle) && world_.alpha(hit) > 0)) return hit;
     }
 }

@@ -83,7 +83,7 @@ Sample Tracer::shown(const Hit& hit, const Ray& ray, std::uint32_t index,
 Sample Tracer::trace(const Ray& ray, std::uint32_t index, std::uint32_t seed) const {
     Sample seen;
     for (Hit hit{world_.nearest(), kNothing, {}}; seen.transmittance > 0;) {
-        hit = world_.bvh().next(ray, hit);
+        hit = world_.next(ray, hit);
         if (!hit.any()) break;
         if (world_.is_left_out(hit.triangle)) continue;
         const double alpha = world_.alpha(hit);

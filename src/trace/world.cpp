@@ -61,14 +61,20 @@ void World::sort_out() {
 }
 
 Ray World::ray(double x, double y) const {
-    const double across = (2 * x / look_->width - 1) * view_->half_width,
-                 up = (1 - 2 * y / look_->height) * view_->half_height;
+    const double across = view_->middle.x + (2 * x / look_->width - 1) * view_->half_width,
+                 up = view_->middle.y + (1 - 2 * y / look_->height) * view_->half_height;
     if (view_->projection == scene::Projection::perspective) return {DVec3(0), {across, up, -1}};
     return {{across, up, 0}, {0, 0, -1}};
 }
 
 double World::nearest() const {
-    return view_->projection == scene::Projection::perspective ? view_->near_distance : -INFINITY;
+    return view_->projection == scene::Projection::perspective ? view_->near_distance
+                                                               : view_->cut_near;
+}
+
+Hit World::next(const Ray& ray, const Hit& after) const {
+    const Hit hit = bvh_.next(ray, after);
+    return hit.t > view_->cut_far ? Hit{hit.t, kNothing, {}} : hit;
 }
 
 std::size_t World::of_list(std::uint32_t triangle) const {

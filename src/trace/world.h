@@ -29,6 +29,8 @@ public:
     Ray ray(double x, double y) const;
     // Where what can be seen begins on such a ray.
     double nearest() const;
+    // What comes next on it, of what can be seen (Bvh::next).
+    Hit next(const Ray& ray, const Hit& after) const;
 
     const Bvh& bvh() const { return bvh_; }
     // Some triangle lets nothing, or not all, through to what lies behind it; 0 to 1.

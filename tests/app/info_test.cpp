@@ -52,6 +52,26 @@ TEST_F(Info, SaysTheSameAsJson) {
     EXPECT_EQ(info["surface"]["open_edges"], 0);
 }
 
+TEST_F(Info, TakesATransformApart) {
+    folder.write("a.obj", kClosed);
+    EXPECT_TRUE(json_of("a.obj")["transform"].is_null());
+    EXPECT_EQ(describe("a.obj --scale 1,2,1 --rotate 0,0,30 --translate 1,2,3"), 0);
+    EXPECT_THAT(out, HasSubstr("moves by 1,2,3\n"));
+    EXPECT_THAT(out, HasSubstr("determinant 2: stretches by 1, 2, 1 along 1,0,0; 0,1,0; 0,0,1\n"));
+    EXPECT_THAT(out, HasSubstr("then turns by 30 degrees about 0,0,1\n"));
+    EXPECT_EQ(describe("a.obj --scale 2"), 0);
+    EXPECT_THAT(out, HasSubstr("determinant 8: scales by 2\n"));
+    EXPECT_THAT(out, Not(HasSubstr("turns")));
+    EXPECT_EQ(describe("a.obj --scale 1,0,1"), 0);
+    EXPECT_THAT(out, HasSubstr("singular"));
+    const auto transform = json_of("a.obj --matrix 1,2,0,4,0,1,0,5,0,0,-3,6,0,0,0,1")["transform"];
+    EXPECT_EQ(transform["matrix"],
+              (std::vector<double>{1, 2, 0, 4, 0, 1, 0, 5, 0, 0, -3, 6, 0, 0, 0, 1}));
+    EXPECT_EQ(transform["singular"], false);
+    EXPECT_NEAR(transform["determinant"].get<double>(), -3, 1e-12);
+    EXPECT_EQ(transform["factors"].size(), 3U);
+}
+
 TEST_F(Info, AnOpenSurfaceHasEdgesButNoVolume) {
     folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 1 4\n");
     const nlohmann::json info = json_of("a.obj");

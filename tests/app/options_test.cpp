@@ -4,6 +4,7 @@
 #include "app/option_text.h"
 #include "app/options.h"
 #include "app/values.h"
+#include "math/rotation.h"
 #include "simd/targets.h"
 
 #include <algorithm>
@@ -268,6 +269,78 @@ TEST(Options, NegativeNumbersAreValuesAndNotOptions) {
     EXPECT_EQ(settings->camera.elevation_degrees, -20.5);
     EXPECT_EQ(settings->camera.distance, 3);
     EXPECT_EQ(settings->model.rotate_degrees, DVec3(-1, 2, -3));
+}
+
+TEST(Options, TransformsAreDoneInTheOrderOfTheCommandLine) {
+    const auto model_of = [](const std::vector<std::string>& words) {
+        std::vector<std::string> all = {"render", "a.obj"};
+        all.insert(all.end(), words.begin(), words.end());
+        const Result<Settings> settings = parse(all);
+        EXPECT_TRUE(settings) << settings.error().what;
+        return settings ? settings->model : scene::ModelTransform();
+    };
+    // In the order of the model's own, they are these.
+    const scene::ModelTransform plain =
+        model_of({"--scale", "2", "--rotate", "0,0,90", "--translate", "1,0,0"});
+    EXPECT_EQ(plain.scale, DVec3(2));
+    EXPECT_EQ(plain.rotate_degrees, DVec3(0, 0, 90));
+    EXPECT_EQ(plain.translate, DVec3(1, 0, 0));
+    EXPECT_TRUE(plain.steps.empty());
+    const auto other =
+        model_of({"--translate", "1,0,0", "--rotate", "0,0,90", "--rotate", "0,90,0", "--about",
+                  "4,5,6", "--scale", "1,2,3", "--about", "centre", "--shear", "y:0.5,2"});
+    EXPECT_EQ(other.translate, DVec3(1, 0, 0));
+    EXPECT_EQ(other.rotate_degrees, DVec3(0));
+    ASSERT_EQ(other.steps.size(), 4U);
+    EXPECT_EQ(other.steps[0].linear, rotation_z(90));
+    EXPECT_EQ(other.steps[1].linear, rotation_y(90));
+    EXPECT_EQ(other.steps[2].linear, scene::scaling({1, 2, 3}));
+    EXPECT_EQ(other.steps[2].about, DVec3(4, 5, 6));
+    EXPECT_FALSE(other.steps[1].about || other.steps[3].about);
+    EXPECT_EQ(other.steps[3].linear * DVec3(1, 1, 1), DVec3(1, 3.5, 1));
+    const auto matrix = model_of({"--matrix", "1,2,0,4,0,1,0,5,0,0,3,6,0,0,0,1"});
+    ASSERT_EQ(matrix.steps.size(), 1U);
+    EXPECT_EQ(matrix.steps[0].linear * DVec3(1, 10, 100), DVec3(21, 10, 300));
+    EXPECT_EQ(matrix.steps[0].offset, DVec3(4, 5, 6));
+}
+
+TEST(Options, TransformsThatAreNoneAreRefused) {
+    const auto error = [](const char* option, const char* text) {
+        return error_of({"render", "a.obj", option, text});
+    };
+    EXPECT_NE(error("--matrix", "1,2,3,0,4,5,6,0,7,8,9,0,0,0,0,1").find("singular"),
+              std::string::npos);
+    EXPECT_NE(error("--matrix", "1,0,0,0,0,1,0,0,0,0,1,0,0,0,1,1").find("last row"),
+              std::string::npos);
+    EXPECT_NE(error("--matrix", "1,0,0,0").find("--matrix"), std::string::npos);
+    for (const char* text : {"x", "x:1", "w:1,2", "x1,2", "x:1,2,3", ""})
+        EXPECT_NE(error("--shear", text).find("x:0.5,0"), std::string::npos) << text;
+    for (const char* text : {"1,0,0", "1,0:30", ":30", "1,0,0:x"})
+        EXPECT_NE(error("--rotate-axis", text).find("1,1,0:30"), std::string::npos) << text;
+    EXPECT_NE(error("--rotate-axis", "0,0,0:30").find("0,0,0"), std::string::npos);
+    EXPECT_NE(error("--about", "here").find("--about"), std::string::npos);
+}
+
+TEST(Options, AWindowSaysAllThatTheOthersSay) {
+    const Result<Settings> settings = parse({"render", "a.obj", "--frustum", "-1,2,-3,4,5,6"});
+    ASSERT_TRUE(settings) << settings.error().what;
+    ASSERT_TRUE(settings->camera.window);
+    EXPECT_EQ(settings->camera.window->right, 2);
+    EXPECT_EQ(settings->camera.window->bottom, -3);
+    EXPECT_EQ(settings->camera.near, 5);
+    EXPECT_EQ(settings->camera.far, 6);
+    EXPECT_EQ(parse({"render", "a.obj", "--ortho", "-1,2,-3,4,-5,6"})->camera.projection,
+              scene::Projection::orthographic);
+    for (const std::vector<std::string>& other : {std::vector<std::string>{"--fov", "30"},
+                                                  {"--near", "1"},
+                                                  {"--far", "1"},
+                                                  {"--projection", "orthographic"},
+                                                  {"--screen-fit", "width"},
+                                                  {"--ortho", "0,1,0,1,0,1"}})
+        EXPECT_NE(error_of({"render", "a.obj", "--frustum", "-1,2,-3,4,5,6", other[0], other[1]})
+                      .find("exclude each other"),
+                  std::string::npos)
+            << other[0];
 }
 
 TEST(Options, AModelAfterABareJsonIsNotTakenForTheFileToWrite) {

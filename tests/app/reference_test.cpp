@@ -99,6 +99,25 @@ std::vector<Shot> gltf_shots() {
     return shots;
 }
 
+// Between planes, through windows that are not about the middle, sheared.
+std::vector<Shot> cut_shots() {
+    std::vector<Shot> shots;
+    for (const bool flat : {false, true}) {
+        Shot s = test::solids(flat ? "cut_flat" : "cut");
+        s.camera.projection =
+            flat ? scene::Projection::orthographic : scene::Projection::perspective;
+        s.camera.distance = 3;
+        s.camera.near = 2.7;
+        s.camera.far = 3.1;
+        const double unit = flat ? 1 : 0.9;
+        s.camera.window =
+            scene::Window{s.camera.projection, -0.5 * unit, 0.9 * unit, -0.7 * unit, 0.3 * unit};
+        s.model.steps.push_back({scene::shear(0, 0.3, -0.2), DVec3(0.1, 0, 0), {}});
+        shots.push_back(std::move(s));
+    }
+    return shots;
+}
+
 TEST(Reference, IsWhatTheRendererDrawsAtItsBest) {
     std::vector<Shot> shots = {test::solids("solids"), test::bowl("bowl", frame::Cull::none),
                                test::bowl("bowl_culled", frame::Cull::back)};
@@ -113,6 +132,8 @@ TEST(Reference, IsWhatTheRendererDrawsAtItsBest) {
     shots.push_back(test::shadowed("shadowed", "volume", scene::LightKind::directional, 0));
     shots.push_back(test::shadowed("by_a_lamp", "volume", scene::LightKind::point, 0));
     for (Shot& s : gltf_shots())
+        shots.push_back(std::move(s));
+    for (Shot& s : cut_shots())
         shots.push_back(std::move(s));
     for (Shot& s : shots) {
         SCOPED_TRACE(s.name);

@@ -71,5 +71,25 @@ TEST(SharedCamera, LeavesAnEyeWhereItIs) {
     EXPECT_FALSE(of_a.pivot);
 }
 
+// In the file's unit they are the same for both, whether the camera has an eye or is fitted.
+TEST(SharedCamera, CutsBothAtTheSamePlanes) {
+    Random random(5);
+    const geom::Mesh a = cloud(random, {1, 2, 3}, 2, 0.7), b = cloud(random, {4, 5, 6}, 3, 0.8);
+    CameraOptions camera;
+    camera.near = 0.5;
+    camera.far = 3;
+    camera.window = Window{camera.projection, -0.1, 0.2, -0.3, 0.4};
+    for (const bool eye : {false, true}) {
+        if (eye) camera.eye = DVec3(9, 9, 9);
+        if (eye) camera.target = DVec3(0);
+        const auto [of_a, of_b] = shared_cameras(a, b, camera, 1);
+        const double of_first = 1 / radii_per_unit(a), of_second = 1 / radii_per_unit(b);
+        EXPECT_NEAR(*of_a.near * of_first, *of_b.near * of_second, 1e-12);
+        EXPECT_NEAR(*of_a.far * of_first, *of_b.far * of_second, 1e-12);
+        EXPECT_NEAR(of_a.window->top * of_first, of_b.window->top * of_second, 1e-12);
+        EXPECT_EQ(*of_a.near, 0.5);
+    }
+}
+
 } // namespace
 } // namespace scanout::scene

@@ -432,7 +432,7 @@ TEST(View, TheWholeModelHasADepthThatAFloatHoldsFromAnyEyeThatThereIs) {
         for (int s = -890; s <= 890; s += 17) {
             CameraOptions camera;
             camera.distance = std::ldexp(1.0, d);
-            const ModelTransform model{DVec3(std::ldexp(1.0, s)), DVec3(0), DVec3(0)};
+            const ModelTransform model{DVec3(std::ldexp(1.0, s)), DVec3(0), DVec3(0), {}};
             const auto v = make_view(test::empty_mesh(), model, {}, camera, {}, 64, 64);
             ASSERT_EQ(v.has_value(), s - d <= 104) << d << ' ' << s;
             (v ? views : refused) += 1;
@@ -473,7 +473,7 @@ TEST(View, EyeAndTargetMayBeVeryCloseAndVeryFarApart) {
         CameraOptions camera;
         camera.eye = DVec3(3, 12, 4) * scale;
         camera.target = DVec3(0);
-        const ModelTransform model{DVec3(std::min(scale, 1.0)), DVec3(0), DVec3(0)};
+        const ModelTransform model{DVec3(std::min(scale, 1.0)), DVec3(0), DVec3(0), {}};
         const View v = view_of(camera, {}, {}, model);
         EXPECT_EQ(-v.translation.z, 13 * scale) << exponent;
         camera.eye = DVec3(3, 12, 4);
@@ -514,7 +514,7 @@ TEST(View, RefusesCamerasThatAreNone) {
     for (const double bad : {1e-300, 1e-280, 1e275, 1e308}) {
         CameraOptions apart;
         apart.distance = bad;
-        EXPECT_TRUE(refused(apart, {DVec3(bad), DVec3(0), DVec3(0)})) << bad;
+        EXPECT_TRUE(refused(apart, {DVec3(bad), DVec3(0), DVec3(0), {}})) << bad;
     }
     for (const auto projection : {Projection::perspective, Projection::orthographic}) {
         CameraOptions close;

@@ -5,6 +5,7 @@
 #include "math/transcendental.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace scanout::frame {
@@ -12,21 +13,18 @@ namespace {
 
 // The greatest distance of a near-plane corner from the eye, in mesh coordinates.
 double near_reach(const scene::View& view) {
-    double least = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double square = dot3(view.linear[axis], view.linear[axis]);
-        least = axis == 0 ? square : std::min(least, square);
-    }
-    const double corner =
-        1 + view.half_width * view.half_width + view.half_height * view.half_height;
-    return view.near_distance * sqrt(corner / least);
+    const double x = std::abs(view.middle.x) + view.half_width,
+                 y = std::abs(view.middle.y) + view.half_height;
+    return view.near_distance * sqrt(1 + x * x + y * y) / scene::stretch_of(view.linear).least;
 }
 
 } // namespace
 
 bool may_be_inside(const geom::MeshTopology& topology, const scene::View& view) {
     const std::optional<DVec4> eye = known_eye_of(view);
-    if (!eye || eye->w == 0) return false; // an orthographic eye is infinitely far away
+    // An orthographic eye is infinitely far away; but the caller may cut off what is near.
+    if (eye && eye->w == 0) return std::isfinite(view.cut_near);
+    if (!eye) return false;
     const DVec3 at(*eye);
     const double reach = near_reach(view);
     return std::any_of(topology.closed_boxes.begin(), topology.closed_boxes.end(),

@@ -4,6 +4,8 @@
 #include "frame/facts/shadow_cull_facts.h"
 #include "frame/view/bounding_sphere.h"
 
+#include <cmath>
+
 namespace scanout::frame {
 namespace {
 
@@ -35,11 +37,23 @@ LightFacts light_facts(const scene::Light& light, const FrameOptions& options,
 
 } // namespace
 
+// The near plane of a perspective view cuts triangles; the others end depths.
+static void put_cuts(const scene::View& view, ViewFacts& found) {
+    const bool perspective = view.projection == scene::Projection::perspective;
+    const auto depth_at = [&](double distance) {
+        return static_cast<float>(perspective ? view.near_distance / distance
+                                              : (-distance - view.depth_origin) * view.depth_scale);
+    };
+    if (std::isfinite(view.cut_far)) found.farthest = depth_at(view.cut_far);
+    if (!perspective && std::isfinite(view.cut_near)) found.nearest = depth_at(view.cut_near);
+}
+
 ViewFacts view_facts(const FrameOptions& options, const SceneFacts& facts,
                      const scene::View& view) {
     ViewFacts found;
     found.in_view = may_be_visible(view);
     found.orthographic = view.projection == scene::Projection::orthographic;
+    put_cuts(view, found);
     if (!found.in_view) return found;
     found.inside = may_be_inside(facts.topology, view);
     found.backs = back_faces_in_view(facts.topology, view);

@@ -10,6 +10,7 @@
 #include "scene/view.h"
 
 #include <array>
+#include <limits>
 
 namespace scanout::frame {
 
@@ -28,6 +29,9 @@ struct ViewFacts {
     bool orthographic = false;
     bool inside = false; // the eye may be inside of a closed part
     BackFaces backs = BackFaces::none;
+    // Reversed depths between which is drawn, where the caller gives a near or a far plane.
+    float farthest = -std::numeric_limits<float>::infinity(),
+          nearest = std::numeric_limits<float>::infinity();
     std::array<LightFacts, scene::kMaxLights> lights{}; // of the options' lights
     friend bool operator==(const ViewFacts&, const ViewFacts&) = default;
 };

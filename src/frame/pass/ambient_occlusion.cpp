@@ -75,9 +75,9 @@ void AmbientOcclusionPass::begin(Jobs& jobs, const scene::Scene& scene, const sc
     surface_.orthographic = !perspective_;
     const double unit = scene::to_floats(view), place = perspective_ ? 1 : unit;
     surface_.scale_x = static_cast<float>(2 * view.half_width / width * place);
-    surface_.offset_x = static_cast<float>(-view.half_width * place);
+    surface_.offset_x = static_cast<float>((view.middle.x - view.half_width) * place);
     surface_.scale_y = static_cast<float>(-2 * view.half_height / height * place);
-    surface_.offset_y = static_cast<float>(view.half_height * place);
+    surface_.offset_y = static_cast<float>((view.middle.y + view.half_height) * place);
     surface_.radius =
         static_cast<float>(shade::kOcclusionRadius * mesh.radius * scale_of(view) * unit);
     image_.apart = surface_.radius / 4;

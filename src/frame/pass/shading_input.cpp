@@ -81,9 +81,9 @@ void ShadingInput::set_gather(const ShadingSource& from) {
     if (frame_.orthographic) return; // every ray is the same; the extent may be no float
     const int scale = plan.aa->scale;
     in.rays.scale_x = static_cast<float>(2 * view.half_width / (plan.options.width * scale));
-    in.rays.offset_x = static_cast<float>(-view.half_width);
+    in.rays.offset_x = static_cast<float>(view.middle.x - view.half_width);
     in.rays.scale_y = static_cast<float>(-2 * view.half_height / (plan.options.height * scale));
-    in.rays.offset_y = static_cast<float>(view.half_height);
+    in.rays.offset_y = static_cast<float>(view.middle.y + view.half_height);
 }
 
 // The alpha stages' frame is that of the opaque surfaces, but for what they read.

@@ -30,8 +30,9 @@ void mark_visible(raster::AreaTile& tile, StencilBuffer& out) {
 // Draws the triangles in the order of their ids, each over all before it: after each draw, the
 // pixels with its id are the pixels it covers. The coverage is the picture's, to the sample.
 void count_covering(const raster::Geometry& geometry, int tile, raster::VisibilityTile& scratch,
-                    raster::Geometry::ById& order, StencilBuffer& out) {
-    scratch.reset(geometry.tile_area(tile), 1, {.test = raster::DepthTest::always});
+                    raster::DepthRule rule, raster::Geometry::ById& order, StencilBuffer& out) {
+    rule.test = raster::DepthTest::always;
+    scratch.reset(geometry.tile_area(tile), 1, rule);
     geometry.draw_each(tile, scratch, order, [&](std::uint32_t id, const image::Rect& box) {
         for (int y = box.y0; y < box.y1; ++y) {
             const auto row = out.row(y);

@@ -18,7 +18,7 @@ void mark_visible(raster::AreaTile& tile, StencilBuffer& out);
 // Counts the triangles that cover each pixel of a tile (overdraw): hidden ones, too, but not culled
 // ones. The geometry must treat all as opaque. `scratch` and `order` are scratch.
 void count_covering(const raster::Geometry& geometry, int tile, raster::VisibilityTile& scratch,
-                    raster::Geometry::ById& order, StencilBuffer& out);
+                    raster::DepthRule rule, raster::Geometry::ById& order, StencilBuffer& out);
 
 // Draws all rows; to be called after all marks are set.
 void show_marks(Jobs& jobs, const Stencil& stencil, const StencilBuffer& marks,

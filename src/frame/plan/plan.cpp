@@ -108,7 +108,7 @@ static Result<FramePlan> plan_of_seen(const FrameOptions& options, const SceneFa
         plan.attributes.colour = facts.vertex_colours;
     TRY_VOID(plan_transparency(planner, plan, facts));
     plan_casters(plan, facts);
-    TRY_VOID(plan_merging(planner, plan, facts));
+    TRY_VOID(plan_merging(planner, plan, facts, view));
     TRY_VOID(plan_stencil(planner, plan, facts));
     plan_section(planner, facts);
     TRY_VOID(plan_annotations(planner, plan, facts));

@@ -59,7 +59,8 @@ static std::string why_culled(const SceneFacts& facts) {
                                                facts.one_sided_triangles, facts.triangles);
 }
 
-Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                          const ViewFacts& view) {
     const FrameOptions& o = plan.options;
     const Technique& culling = raster::cull::kRows[static_cast<std::size_t>(o.cull)]->card;
     const std::string cull(culling.name);
@@ -93,6 +94,8 @@ Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& f
     if (!plan.depth_rule.is_default())
         for (const Technique* card : {&format->card, &compare->card})
             plan.techniques.push_back(card);
+    plan.depth_rule.farthest = plan.depth_rule.stored(view.farthest);
+    plan.depth_rule.nearest = plan.depth_rule.stored(view.nearest);
     if (blends) plan.techniques.push_back(&mix->card);
     return {};
 }
@@ -170,6 +173,7 @@ Result<void> plan_edges(const FrameOptions& options, const SceneFacts& facts, Pl
         !by->exact ? nullptr
         : !plan.transparency.alpha_modes.empty()
             ? "areas know no transparency, which this scene has"
+        : plan.depth_rule.cuts() ? "areas know no far plane, and no near one without perspective"
         : !plan.depth_rule.is_default() ? "areas know the nearest surface alone, in exact depth"
         : plan.shadow.stage != nullptr && plan.shadow.stage->by == shade::ShadowBy::volumes
             ? "areas know no stencil, which shadow volumes count in"

@@ -102,7 +102,8 @@ bool blends_nothing(const FrameOptions& options);
 // Shadow casters by material: blended ones cast none, for their shadows would have to be tinted.
 void plan_casters(FramePlan& plan, const SceneFacts& facts);
 // Depth test, depth format and blending, which the user chooses.
-Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& facts);
+Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                          const ViewFacts& view);
 // The stencil buffer. Where the picture is its counts alone (overdraw), plan_counts takes all else
 // out of the finished plan.
 Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& facts);

@@ -15,23 +15,21 @@ constexpr double kMargin = 1.05;
 } // namespace
 
 BoundingSphere bounding_sphere(const scene::View& view) {
-    double scale = 0; // the model is scaled along its axes, then turned
-    for (int axis = 0; axis < 3; ++axis)
-        scale = std::max(scale, length(view.linear[axis]));
-    return {view.translation, scale * kMargin};
+    return {view.translation, scene::stretch_of(view.linear).most * kMargin};
 }
 
 bool may_be_visible(const scene::View& view) {
     if (!(view.near_distance > 0)) return true;
     const auto [at, radius] = bounding_sphere(view);
     const bool parallel = view.projection == scene::Projection::orthographic;
-    const auto beside = [&, &at = at, &radius = radius](double across, double half) {
-        const double edge = half * kMargin;
+    const auto beside = [&, &at = at, &radius = radius](double across, double half, double middle) {
+        const double edge = (half + std::abs(middle)) * kMargin;
         return parallel ? std::abs(across) - radius > edge
                         : std::abs(across) + edge * at.z > radius * scanout::sqrt(1 + edge * edge);
     };
     const bool behind = !parallel && radius - at.z < view.near_distance;
-    return !(behind || beside(at.x, view.half_width) || beside(at.y, view.half_height));
+    return !(behind || beside(at.x, view.half_width, view.middle.x) ||
+             beside(at.y, view.half_height, view.middle.y));
 }
 
 bool may_be_lit(const scene::ViewLight& light, const scene::View& view) {

@@ -30,9 +30,16 @@ struct DepthRule {
     // Stored as 1 - depth: a float, or a multiple of 1 / steps where that is not 0.
     bool standard = false;
     double steps = 0;
+    // What the caller cuts off passes no test: stored depths beyond these.
+    float farthest = -std::numeric_limits<float>::infinity(),
+          nearest = std::numeric_limits<float>::infinity();
     friend bool operator==(const DepthRule&, const DepthRule&) = default;
 
-    bool is_default() const { return test == DepthTest::greater && !standard; }
+    bool cuts() const {
+        return farthest > -std::numeric_limits<float>::infinity() ||
+               nearest < std::numeric_limits<float>::infinity();
+    }
+    bool is_default() const { return test == DepthTest::greater && !standard && !cuts(); }
 
     // The smallest step between stored depths, near the eye.
     double step() const { return !standard ? 0 : (steps > 0 ? 1 / steps : 0x1p-24); }
@@ -48,6 +55,7 @@ struct DepthRule {
     // Does a stored depth pass the test against another one, or against an empty sample
     // (kNoPrimitive)?
     bool passes(float depth, std::uint32_t id, float old, std::uint32_t old_id) const {
+        if (!(depth >= farthest && depth <= nearest)) return false;
         const bool empty = old_id == std::numeric_limits<std::uint32_t>::max();
         const bool tie = depth == old;
         switch (test) {

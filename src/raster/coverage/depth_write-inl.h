@@ -132,7 +132,7 @@ SIMD_INLINE Float<D> write_by_rule(const DepthRule& rule, Mask<D> inside, Float<
         pass = (z > old) | (tie & lower);
         break;
     }
-    pass = pass & inside;
+    pass = pass & inside & (z >= Float<D>(rule.farthest)) & (z <= Float<D>(rule.nearest));
     const Float<D> now = select(pass, z, old);
     store_pixels(now, depth);
     store_pixels(select(pass, new_id, old_id), id);

@@ -165,7 +165,8 @@ ClusterCull::ClusterCull(const ScreenTransform& t, Facing keep) : transform_(t),
     s.scale = std::max(t.scale_x, t.scale_y);
     s.stretch =
         s.scale * std::sqrt(dot3(row[0], row[0]) + dot3(row[1], row[1]) + dot3(row[2], row[2]));
-    s.most_aside = kGuardPixels - std::max(t.width, t.height);
+    s.most_aside = kGuardPixels - std::max({t.width, t.height, 2 * std::abs(t.centre_x),
+                                            2 * std::abs(t.centre_y)});
 }
 
 void ClusterCull::find_culled(std::span<const geom::Cluster> clusters, std::uint8_t* culled) const {

@@ -35,8 +35,9 @@ int to_one(const scene::View& view) {
 ScreenTransform::ScreenTransform(const scene::View& view, int w, int h)
     : unit(), linear(), translation(),
       perspective(view.projection == scene::Projection::perspective),
-      scale_x(w / (2 * view.half_width)), scale_y(h / (2 * view.half_height)), centre_x(w / 2.0),
-      centre_y(h / 2.0), width(w), height(h), depth_origin(), depth_scale(), box{} {
+      scale_x(w / (2 * view.half_width)), scale_y(h / (2 * view.half_height)),
+      centre_x(w / 2.0 - view.middle.x * scale_x), centre_y(h / 2.0 + view.middle.y * scale_y),
+      width(w), height(h), depth_origin(), depth_scale(), box{} {
     const int exponent = to_one(view);
     unit = scale(1, exponent);
     for (int r = 0; r < 3; ++r) {
