@@ -25,7 +25,7 @@
 #define SCANOUT_CULL(X) X(material) X(none) X(back) X(front)
 #define SCANOUT_DEPTH(X) X(fixed_16) X(fixed_24) X(float_32) X(reversed)
 #define SCANOUT_DEPTH_TEST(X)                                                                      \
-    X(equal) X(always) X(never) X(less) X(less_equal) X(greater_equal) X(greater)
+    X(equal) X(not_equal) X(always) X(never) X(greater) X(greater_equal) X(less_equal) X(less)
 #define SCANOUT_BLEND(X) X(none) X(over) X(add) X(subtract) X(multiply) X(screen)
 #define SCANOUT_STENCIL(X) X(none) X(outline) X(overdraw)
 #define SCANOUT_EDGES(X) X(none) X(feature) X(all)
@@ -81,7 +81,7 @@
       "how depth is stored (`list techniques`); auto: reversed")                                   \
     X(raster, depth_test, SCANOUT_DEPTH_TEST, DepthTestRow, asked,                                 \
       "which of several surfaces is visible, where they do not blend (`list techniques`); auto: "  \
-      "greater, the nearest")                                                                      \
+      "less, the nearest")                                                                      \
     X(shade, blend, SCANOUT_BLEND, Blend, asked,                                                   \
       "how blended surfaces mix with the background (`list techniques`); auto: over")       \
     X(frame, stencil, SCANOUT_STENCIL, Stencil, asked,                                             \

@@ -144,6 +144,18 @@ void note_repetition(const Given& given, std::vector<std::string>& notes) {
                                     given.option->name, given.texts.size(), given.texts.back()));
 }
 
+// Until 0.2 these names had the meanings of each other.
+void note_depth_test(Settings& settings) {
+    const std::string& test = settings.frame.depth_test;
+    const bool is_nearest = test == "less" || test == "less_equal";
+    if (!is_nearest && test != "greater" && test != "greater_equal") return;
+    settings.notes.push_back(fmt::format(
+        "--depth-test {} shows the {} now, as OpenGL and Direct3D name it; it was the other way "
+        "round: {} shows the {}",
+        test, is_nearest ? "nearest" : "farthest", is_nearest ? "greater" : "less",
+        is_nearest ? "farthest" : "nearest"));
+}
+
 // The options of the view that a file holds; a state that is not there yet has none.
 Result<void> add_view(const std::string& path, bool may_be_missing,
                       std::vector<StandingPlace>& standing) {
@@ -208,6 +220,7 @@ Result<Settings> parse_words(Command command, std::vector<std::string> words,
             TRY_VOID(apply(*one.option, bare ? "" : one.texts[i], settings));
     }
     TRY_VOID(apply_in_order(given, parser.parse_order(), settings));
+    note_depth_test(settings);
     TRY_VOID(check_together(settings));
     return settings;
 }

@@ -62,7 +62,7 @@ bool is_on(const frame::FramePlan& plan, std::string_view effect) {
 
 // What the reference has no formula for; null where there is nothing of it.
 const char* not_traced(const frame::FramePlan& plan) {
-    if (plan.depth_rule.test != raster::DepthTest::greater)
+    if (plan.depth_rule.test != raster::DepthTest::less)
         return "--depth-test: rays meet the nearest surface first";
     if (plan.stencil != nullptr) return "--stencil: it marks no pixels";
     if (plan.colours != nullptr) return "--colour-by: it shows light";

@@ -82,7 +82,7 @@ struct Found {
 
 Found find_why(const scene::Scene& scene, const scene::View& view, const FramePlan& plan) {
     const FrameOptions& o = plan.options;
-    if (!row_or(raster::depth_test::kRows, o.depth_test, raster::depth_test::greater).shows)
+    if (!row_or(raster::depth_test::kRows, o.depth_test, raster::depth_test::less).shows)
         return {Blank::depth_test, {}};
     if (scene.section && scene.section->empty) return {Blank::section, {}};
     if (!may_be_visible(view)) return {Blank::outside, {}};

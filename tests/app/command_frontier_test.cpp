@@ -176,7 +176,7 @@ TEST_F(Program, WhereNothingCanBeChosenIsDrawnAsAskedFor) {
     folder.write("lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");
     for (const std::string words :
          {"$d/lines.obj", "$m --translate 100,0,0", "$m --convolution low_pass",
-          "$m --stencil outline", "$m --depth-test less"})
+          "$m --stencil outline", "$m --depth-test greater"})
         for (const std::string limit : {"--budget", "--max-error"}) {
             const std::string render = "render " + words + " --size 64x48 --hash --json=$d/j ";
             const Outcome plain = run(render), limited = run(render + limit + " 16");

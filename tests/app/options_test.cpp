@@ -271,6 +271,20 @@ TEST(Options, NegativeNumbersAreValuesAndNotOptions) {
     EXPECT_EQ(settings->model.rotate_degrees, DVec3(-1, 2, -3));
 }
 
+TEST(Options, DepthTestsWhoseNamesChangedSaySo) {
+    const auto notes = [](const std::vector<std::string>& words) { return parse(words)->notes; };
+    for (const auto& [name, shows] : {std::pair("less", "less shows the nearest now"),
+                                      {"less_equal", "nearest now"},
+                                      {"greater", "greater shows the farthest now"},
+                                      {"greater_equal", "farthest now"}}) {
+        const std::vector<std::string> said = notes({"render", "a.obj", "--depth-test", name});
+        ASSERT_EQ(said.size(), 1U) << name;
+        EXPECT_NE(said[0].find(shows), std::string::npos) << said[0];
+    }
+    for (const char* name : {"not_equal", "always", "auto"})
+        EXPECT_TRUE(notes({"render", "a.obj", "--depth-test", name}).empty()) << name;
+}
+
 TEST(Options, TransformsAreDoneInTheOrderOfTheCommandLine) {
     const auto model_of = [](const std::vector<std::string>& words) {
         std::vector<std::string> all = {"render", "a.obj"};

@@ -158,8 +158,9 @@ TEST(Reference, IsWhatTheRendererDrawsAtItsBest) {
 }
 
 TEST(Reference, SaysWhatItDoesNotDraw) {
-    for (const auto& [axis, technique] :
-         {std::pair("depth_test", "less"), {"stencil", "outline"}, {"convolution", "low_pass"}}) {
+    for (const auto& [axis, technique] : {std::pair("depth_test", "greater"),
+                                          {"stencil", "outline"},
+                                          {"convolution", "low_pass"}}) {
         Shot s = test::solids(axis);
         ASSERT_TRUE(frame::ask(s.options, axis, technique));
         const auto look = look_of(*frame::plan(s.options, frame::facts(s.scene)));

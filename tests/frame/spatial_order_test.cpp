@@ -67,14 +67,15 @@ struct Asked {
     const char *axis, *technique;
 };
 constexpr Asked kRules[] = {
-    {"depth", "reversed"},     {"depth", "fixed_16"},
-    {"depth", "float_32"},     {"depth_test", "less"},
-    {"depth_test", "always"},  {"depth_test", "less_equal"},
-    {"depth_test", "greater"}, {"depth_test", "greater_equal"},
-    {"aa", "samples_4"},       {"aa", "area"},
-    {"aa", "samples_8"},       {"transparency", "sorted"},
-    {"transparency", "exact"}, {"stencil", "outline"},
-    {"shading", "gouraud"},    {"shading", "flat"},
+    {"depth", "reversed"},       {"depth", "fixed_16"},
+    {"depth", "float_32"},       {"depth_test", "greater"},
+    {"depth_test", "always"},    {"depth_test", "greater_equal"},
+    {"depth_test", "less"},      {"depth_test", "less_equal"},
+    {"aa", "samples_4"},         {"aa", "area"},
+    {"aa", "samples_8"},         {"transparency", "sorted"},
+    {"transparency", "exact"},   {"stencil", "outline"},
+    {"depth_test", "not_equal"}, {"shading", "gouraud"},
+    {"shading", "flat"},
 };
 
 class ByPlace : public testing::TestWithParam<Asked> {};

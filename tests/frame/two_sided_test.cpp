@@ -96,7 +96,7 @@ TEST(TwoSided, IsNotNeededWhereNoBackCanBeSeenAndThenForcingItChangesNoBit) {
 // Where backs come to be seen by a choice of depths, the plan knows: without it they are dark.
 TEST(TwoSided, IsNeededWhereDepthsShowBacksOfClosedBodies) {
     for (const auto& [axis, name] :
-         {std::pair("depth_test", "less"), {"depth_test", "always"}, {"depth", "fixed_16"}}) {
+         {std::pair("depth_test", "greater"), {"depth_test", "always"}, {"depth", "fixed_16"}}) {
         Shot s = solids("solids");
         EXPECT_TRUE(frame::ask(s.options, axis, name));
         const auto plan = frame::plan(s.options, frame::facts(s.scene));

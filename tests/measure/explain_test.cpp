@@ -178,7 +178,7 @@ TEST(Explain, ComparesATechniqueThatTheUserNamesWithTheAutomaticOne) {
         bool differs;
     } rows[] = {
         {"shading", "flat", "per_pixel", true},  {"shading", "gouraud", "per_pixel", true},
-        {"depth_test", "less", "greater", true}, {"stencil", "outline", "none", true},
+        {"depth_test", "greater", "less", true}, {"stencil", "outline", "none", true},
         {"tone", "filmic", "clamp", true},       {"convolution", "low_pass", "off", true},
         {"encode", "power_2_2", "srgb", true},   {"interpolate", "affine", "perspective", true},
         {"cull", "back", "none", false},         {"cull", "front", "none", true}};

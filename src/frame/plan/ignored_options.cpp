@@ -155,7 +155,7 @@ void add_details(const FramePlan& plan, Lines& lines) {
     const Decision& highlight = *plan.decision("highlight");
     const shade::Filter* filter = plan.filter != nullptr ? plan.filter : t.filter;
     const bool compares =
-        row_or(raster::depth_test::kRows, o.depth_test, raster::depth_test::greater).compares;
+        row_or(raster::depth_test::kRows, o.depth_test, raster::depth_test::less).compares;
     const struct {
         bool ignored;
         std::string option, because;

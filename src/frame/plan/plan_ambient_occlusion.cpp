@@ -52,12 +52,12 @@ Result<void> plan_ambient_occlusion(Planner& planner, FramePlan& plan, const Sce
         return {};
     }
     const raster::DepthTestRow& test =
-        row_or(raster::depth_test::kRows, plan.options.depth_test, raster::depth_test::greater);
+        row_or(raster::depth_test::kRows, plan.options.depth_test, raster::depth_test::less);
     const char* const why_not =
         why_unlit(plan, facts) != nullptr ? why_unlit(plan, facts)
         : !has_ambient_light(plan)        ? "no light comes from everywhere"
         : shading.needs.vertices ? "it needs light at pixels, and --shading has it at vertices"
-        : test.test != raster::DepthTest::greater
+        : test.test != raster::DepthTest::less
             ? "it needs the nearest surfaces, and --depth-test may show others"
             : nullptr;
     const bool clear = stands_clear(plan, facts, view);

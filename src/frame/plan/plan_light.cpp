@@ -120,10 +120,10 @@ std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& 
         return {false, by_material ? "backs are left out: every material is one-sided"
                                    : "backs are left out (--cull back)"};
     const raster::DepthTestRow& test =
-        row_or(raster::depth_test::kRows, options.depth_test, raster::depth_test::greater);
+        row_or(raster::depth_test::kRows, options.depth_test, raster::depth_test::less);
     if (!test.shows)
         return {false, fmt::format("--depth-test {} shows nothing", options.depth_test)};
-    if (test.test != raster::DepthTest::greater)
+    if (test.test != raster::DepthTest::less)
         return {true, fmt::format("--depth-test {} may show backs", options.depth_test)};
     if (is_depth_coarse(options))
         return {true, fmt::format("--depth {} may take backs for as near as what hides them",

@@ -74,7 +74,7 @@ Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& f
     TRY(const raster::DepthFormatRow* const format,
         choose(raster::depth::kRows, o.depth, raster::depth::reversed));
     TRY(const raster::DepthTestRow* const compare,
-        choose(raster::depth_test::kRows, o.depth_test, raster::depth_test::greater));
+        choose(raster::depth_test::kRows, o.depth_test, raster::depth_test::less));
     TRY(const shade::Blend* const mix, choose(shade::blend::kRows, o.blend, shade::blend::over));
     const bool drawn = facts.triangles + facts.lines + facts.points > 0;
     const char* const nothing = "nothing is drawn that could be hidden";

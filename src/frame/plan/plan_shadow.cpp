@@ -25,8 +25,8 @@ bool is_lit_from_behind(const FramePlan& plan, const SceneFacts& facts) {
 // Seen from inside, a convex body's near side lies between the lights and its far side.
 bool shows_far_side(const FrameOptions& options, const ViewFacts& view) {
     const raster::DepthTestRow& test =
-        row_or(raster::depth_test::kRows, options.depth_test, raster::depth_test::greater);
-    return options.cull == Cull::front || view.inside || test.test != raster::DepthTest::greater ||
+        row_or(raster::depth_test::kRows, options.depth_test, raster::depth_test::less);
+    return options.cull == Cull::front || view.inside || test.test != raster::DepthTest::less ||
            is_depth_coarse(options);
 }
 

@@ -31,8 +31,8 @@ const shade::Transparency& transparency_of(const FrameOptions& o) {
 
 // The depth test keeps the nearest surface, and the filter of a pixel is its own box.
 bool nearest_alone(const FrameOptions& o) {
-    return row_or(raster::depth_test::kRows, o.depth_test, raster::depth_test::greater).test ==
-               raster::DepthTest::greater &&
+    return row_or(raster::depth_test::kRows, o.depth_test, raster::depth_test::less).test ==
+               raster::DepthTest::less &&
            row_or(aa::kRows, o.aa, aa::none).weight == nullptr;
 }
 

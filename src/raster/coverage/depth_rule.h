@@ -1,8 +1,9 @@
 // The depth rule: how depths are compared at a sample, and in which format they are stored. By
 // default the greatest reversed depth in a float, at a tie the lower id; any other rule is an
-// option of the user's with kernels of its own. Every rule gives the same result in whatever order
-// primitives are drawn: that of a depth buffer that is drawn in the order of ids. "Not equal" is
-// not among them: its result depends on all that was drawn before, not on two surfaces.
+// option of the user's with kernels of its own. Every rule but one gives the same result in
+// whatever order primitives are drawn: that of a depth buffer that is drawn in the order of ids.
+// Not so "not equal": its result depends on all that was drawn before, not on two surfaces, so it
+// is drawn in that order.
 #pragma once
 
 #include "base/technique.h"
@@ -14,19 +15,21 @@
 
 namespace scanout::raster {
 
-// In the order of techniques.h.
+// In the order of techniques.h. By their usual names, of depths that are less where they are
+// nearer.
 enum class DepthTest : std::uint8_t {
     equal,
+    not_equal,
     always,
     never,
-    less,
-    less_equal,
+    greater,
     greater_equal,
-    greater
+    less_equal,
+    less
 };
 
 struct DepthRule {
-    DepthTest test = DepthTest::greater;
+    DepthTest test = DepthTest::less;
     // Stored as 1 - depth: a float, or a multiple of 1 / steps where that is not 0.
     bool standard = false;
     double steps = 0;
@@ -39,7 +42,9 @@ struct DepthRule {
         return farthest > -std::numeric_limits<float>::infinity() ||
                nearest < std::numeric_limits<float>::infinity();
     }
-    bool is_default() const { return test == DepthTest::greater && !standard && !cuts(); }
+    bool is_default() const { return test == DepthTest::less && !standard && !cuts(); }
+
+    bool wants_order() const { return test == DepthTest::not_equal; }
 
     // The smallest step between stored depths, near the eye.
     double step() const { return !standard ? 0 : (steps > 0 ? 1 / steps : 0x1p-24); }
@@ -52,8 +57,8 @@ struct DepthRule {
                                         : double{static_cast<float>(standard_depth)};
         return static_cast<float>(1.0 - stored);
     }
-    // Does a stored depth pass the test against another one, or against an empty sample
-    // (kNoPrimitive)?
+    // Does a stored depth, where greater is nearer, pass the test against another one, or against
+    // an empty sample (kNoPrimitive)?
     bool passes(float depth, std::uint32_t id, float old, std::uint32_t old_id) const {
         if (!(depth >= farthest && depth <= nearest)) return false;
         const bool empty = old_id == std::numeric_limits<std::uint32_t>::max();
@@ -61,17 +66,19 @@ struct DepthRule {
         switch (test) {
         case DepthTest::equal:
             return !empty && tie && id > old_id;
+        case DepthTest::not_equal:
+            return empty || !tie;
         case DepthTest::always:
             return empty || id > old_id;
         case DepthTest::never:
             return false;
-        case DepthTest::less:
-            return empty || depth < old || (tie && id < old_id);
-        case DepthTest::less_equal:
-            return empty || depth < old || (tie && id > old_id);
-        case DepthTest::greater_equal:
-            return empty || depth > old || (tie && id > old_id);
         case DepthTest::greater:
+            return empty || depth < old || (tie && id < old_id);
+        case DepthTest::greater_equal:
+            return empty || depth < old || (tie && id > old_id);
+        case DepthTest::less_equal:
+            return empty || depth > old || (tie && id > old_id);
+        case DepthTest::less:
             break;
         }
         return depth > old || (tie && id < old_id);

@@ -114,21 +114,24 @@ SIMD_INLINE Float<D> write_by_rule(const DepthRule& rule, Mask<D> inside, Float<
     case DepthTest::equal:
         pass = (!empty) & tie & higher;
         break;
+    case DepthTest::not_equal:
+        pass = empty | !tie;
+        break;
     case DepthTest::always:
         pass = empty | higher;
         break;
     case DepthTest::never:
         break;
-    case DepthTest::less:
+    case DepthTest::greater:
         pass = empty | (z < old) | (tie & lower);
         break;
-    case DepthTest::less_equal:
+    case DepthTest::greater_equal:
         pass = empty | (z < old) | (tie & higher);
         break;
-    case DepthTest::greater_equal:
+    case DepthTest::less_equal:
         pass = empty | (z > old) | (tie & higher);
         break;
-    case DepthTest::greater:
+    case DepthTest::less:
         pass = (z > old) | (tie & lower);
         break;
     }

@@ -51,6 +51,7 @@ void Geometry::draw(int tile, VisibilityTile& out, DeferredTriangles* scratch) {
 
 void Geometry::draw_triangles(int tile, VisibilityTile& out, DeferredTriangles* scratch) {
     CHECK(!occlusion_.is_on() || scratch != nullptr);
+    if (out.rule().wants_order()) return draw_in_order(tile, out);
     // By another depth rule than the default one small triangles are drawn like all others.
     std::array<std::uint32_t, 64> some;
     std::size_t count = 0;
@@ -206,32 +207,45 @@ image::Rect Geometry::pixels_of(std::uint32_t triangle, const image::Rect& area)
     return box_of(triangle, area, nullptr);
 }
 
+void Geometry::sort_triangles(int tile, std::vector<std::uint32_t>& out) const {
+    out.clear();
+    for (const WorkerBins& worker : workers_) {
+        const TileBin& bin = worker.bins[static_cast<std::size_t>(tile)];
+        out.insert(out.end(), bin.triangles.begin(), bin.triangles.end());
+        bin.for_small(
+            [&](std::uint32_t spatial_index) { out.push_back(mesh_->triangle_at(spatial_index)); });
+        for (const std::uint32_t i : bin.clipped)
+            out.push_back(worker.clipped[i].triangle.id);
+    }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end()); // two clipped triangles of one
+}
+
+void Geometry::draw_in_order(int tile, VisibilityTile& out) const {
+    CHECK(!occlusion_.is_on());
+    std::vector<std::uint32_t> triangles;
+    sort_triangles(tile, triangles);
+    for (const std::uint32_t triangle : triangles)
+        draw_one(triangle, out);
+}
+
 void Geometry::draw_each(int tile, VisibilityTile& out, ById& order, const Drawn& drawn) const {
     CHECK(!occlusion_.is_on());
     const auto at = static_cast<std::size_t>(tile);
     std::vector<std::uint32_t>& triangles = order.triangles;
     std::vector<Segment>& segments = order.segments;
     std::vector<Point>& points = order.points;
-    triangles.clear();
+    sort_triangles(tile, triangles);
     segments.clear();
     points.clear();
     for (const WorkerBins& worker : workers_) {
         const TileBin& bin = worker.bins[at];
-        triangles.insert(triangles.end(), bin.triangles.begin(), bin.triangles.end());
-        bin.for_small([&](std::uint32_t spatial_index) {
-            triangles.push_back(mesh_->triangle_at(spatial_index));
-        });
-        for (const std::uint32_t i : bin.clipped)
-            triangles.push_back(worker.clipped[i].triangle.id);
         for (const std::uint32_t i : bin.segments)
             segments.push_back(worker.segments[i]);
         for (const std::uint32_t i : bin.points)
             points.push_back(worker.points[i]);
     }
     const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()),
-                    triangles.end()); // two clipped triangles of one
     std::sort(segments.begin(), segments.end(), by_id);
     std::sort(points.begin(), points.end(), by_id);
 

@@ -141,7 +141,7 @@ TEST(TransparencyPlan, ListsNothingWhereTheNearestIsShownWhole) {
     options.transparency = "sorted";
     EXPECT_NE(plan_of(scene, options).transparency.blended, nullptr);
     options.transparency = "auto";
-    options.depth_test = "less";
+    options.depth_test = "greater";
     EXPECT_NE(plan_of(scene, options).transparency.blended, nullptr);
 }
 

@@ -118,7 +118,7 @@ TEST(DisjointShadows, FallsOnTheFarSideOfABox) {
     test::add_cube(s.scene.mesh, 0.5F, 0);
     s.scene.mesh.uv.clear();
     s.camera.elevation_degrees = 20;
-    s.options.depth_test = "less";
+    s.options.depth_test = "greater";
     scene::Light lamp = test::light_of(LightKind::directional, 0.9);
     lamp.casts = true;
     s.options.lights = {lamp, test::light_of(LightKind::ambient, 0.1)};

@@ -259,7 +259,7 @@ TEST(AmbientOcclusion, IsOffWhereItChangesNothing) {
     s.options.shading = "gouraud";
     EXPECT_THAT(row(s), testing::HasSubstr("light at pixels"));
     s.options.shading = "auto";
-    s.options.depth_test = "less";
+    s.options.depth_test = "greater";
     EXPECT_THAT(row(s), testing::HasSubstr("--depth-test"));
     s.options.depth_test = "auto";
     s.options.lights.clear();

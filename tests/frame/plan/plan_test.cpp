@@ -462,8 +462,8 @@ TEST(Plan, OpaqueTrianglesAreBlendedOnlyWhereThatChangesNothing) {
     FrameOptions options;
     options.effects = {{"blending", true}};
     EXPECT_TRUE(blends(options));
-    for (const auto& [axis, name] : {std::pair("depth_test", "less"),
-                                     {"depth_test", "greater_equal"},
+    for (const auto& [axis, name] : {std::pair("depth_test", "greater"),
+                                     {"depth_test", "less_equal"},
                                      {"blend", "multiply"},
                                      {"transparency", "sorted"},
                                      {"aa", "area"},

@@ -195,7 +195,7 @@ TEST(Coverage, ATileThatKeepsDepthAloneIsNotAskedForIds) {
     EXPECT_DEATH((void)tile.ids(0), "has_ids");
     EXPECT_DEATH(other.take(tile, {0, 0, 8, 8}), "has_ids");
     EXPECT_DEATH(other.keep_support(tile), "has_ids");
-    tile.reset({0, 0, 8, 8}, 1, {.test = DepthTest::less}, TileFormat::depth_only);
+    tile.reset({0, 0, 8, 8}, 1, {.test = DepthTest::greater}, TileFormat::depth_only);
     EXPECT_TRUE(tile.has_ids()); // that rule goes by them
 }
 

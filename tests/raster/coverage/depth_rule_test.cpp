@@ -46,17 +46,19 @@ bool passes(DepthTest test, float z, const Kept& old) {
     switch (test) {
     case DepthTest::equal:
         return old.id != kNoPrimitive && z == old.depth;
+    case DepthTest::not_equal:
+        return z != old.depth;
     case DepthTest::always:
         return true;
     case DepthTest::never:
         return false;
-    case DepthTest::less:
-        return z < old.depth;
-    case DepthTest::less_equal:
-        return z <= old.depth;
-    case DepthTest::greater_equal:
-        return z >= old.depth;
     case DepthTest::greater:
+        return z < old.depth;
+    case DepthTest::greater_equal:
+        return z <= old.depth;
+    case DepthTest::less_equal:
+        return z >= old.depth;
+    case DepthTest::less:
         return z > old.depth;
     }
     return false;
@@ -114,6 +116,7 @@ TEST(DepthRule, IsThatOfADepthBufferInTheOrderOfIds) {
                             << test->card.name << ' ' << format->card.name << ' ' << target;
                         EXPECT_EQ(tile.empty(),
                                   test->test == DepthTest::equal || test->test == DepthTest::never);
+                        if (tile.rule().wants_order()) break; // it depends on the order
                         for (std::size_t i = order.size() - 1; i > 0; --i)
                             std::swap(order[i], order[static_cast<std::size_t>(
                                                     random.whole(0, static_cast<int>(i)))]);
@@ -168,7 +171,7 @@ double lost(const DepthFormatRow& format, double gap) {
     for (int i = 0; i < kPairs; ++i) {
         const double w = kNear * std::pow(kRatio, random.unit() * 0.9999);
         const double depth[2] = {kNear / (w * (1 + gap)), kNear / w};
-        tile.reset({0, 0, 8, 8}, 1, {DepthTest::greater, format.standard, format.steps});
+        tile.reset({0, 0, 8, 8}, 1, {DepthTest::less, format.standard, format.steps});
         for (std::uint32_t id = 0; id < 2; ++id)
             tile.draw(set_up({{{-512, -512}, {4096, -512}, {-512, 4096}}}, id,
                              {depth[id], depth[id], depth[id]}));
@@ -205,7 +208,7 @@ TEST(DepthFormats, LoseTheShareOfPairsThatTheTableSays) {
 TEST(DepthFormats, HaveStepsAroundTheTargetOfTheSharesThatTheirCardsSay) {
     const auto share = [](const char* name) {
         const DepthFormatRow& format = *find_row(raster::depth::kRows, name);
-        const DepthRule rule{DepthTest::greater, format.standard, format.steps};
+        const DepthRule rule{DepthTest::less, format.standard, format.steps};
         const auto kept = [&](double distance) {
             return rule.stored(static_cast<float>(0x1p-14 / distance));
         };
