@@ -3,6 +3,7 @@
 #include "app/files.h"
 #include "app/message.h"
 #include "app/progress_bar.h"
+#include "app/texture_file.h"
 #include "base/stopwatch.h"
 #include "io/load.h"
 #include "scene/fit.h"
@@ -65,6 +66,8 @@ Result<LoadedModel> load_model(const std::string& path, const Settings& settings
     model.libraries = std::move(libraries);
     model.warnings = warnings.lines();
     override_materials(settings, model.scene);
+    if (!settings.texture_file.empty())
+        TRY_VOID(put_texture(settings.texture_file, model.scene, model.warnings));
     if (settings.section) {
         const Stopwatch cutting;
         model.section = settings.section;

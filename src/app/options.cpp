@@ -301,6 +301,11 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"opacity", 0, "X|auto", "", "auto", 0, 0, Group::model, kDraw, Parsed(read_opacity),
      "opacity of all materials, from 0 to 1, in place of d, Tr and map_d; the alpha of map_Kd "
      "stays"},
+    {"texture-file", 0, "FILE", "", "", 0, 0, Group::model, kDraw,
+     Text([](Settings& s) -> std::string& { return s.texture_file; }),
+     "lay this picture on what the file gives no texture: it multiplies a material's colour, and "
+     "is "
+     "the colour of what has no material"},
     {"scale", 0, "S or X,Y,Z", "", "1", 0, 0, Group::model, kRead, Parsed(read_scale),
      "scale the model about its centre; transforms are done in the order in which they are given, "
      "each as often as it is given",

@@ -117,6 +117,7 @@ struct Settings {
     Vec3 unnamed_colour{scene::kUnnamedGrey}; // --base-colour
     std::optional<Vec3> colour;               // --colour, linear; none: the file's
     std::optional<double> opacity;            // --opacity, likewise
+    std::string texture_file;                 // --texture-file, on materials that name none
     std::vector<DVec3> measured;              // --measure: two points or three
     std::string named_view;                   // --view; already in `camera`
     bool camera_given = false, light_given = false, up_given = false;

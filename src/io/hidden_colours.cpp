@@ -95,4 +95,13 @@ bool fill_hidden_colours(Image& picture) {
     return true;
 }
 
+bool paint_clear_alpha(image::Image& picture) {
+    const auto pixels = picture.pixels();
+    if (std::any_of(pixels.begin(), pixels.end(), [](const image::Rgba8& p) { return p.a != 0; }))
+        return false;
+    for (image::Rgba8& p : picture.pixels())
+        p.a = 255;
+    return true;
+}
+
 } // namespace scanout::io

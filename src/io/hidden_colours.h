@@ -10,4 +10,8 @@ namespace scanout::io {
 // ones first, at any distance: Gortler et al. 1996 (pull-push). Returns false where there are none.
 bool fill_hidden_colours(image::Image& picture);
 
+// An alpha channel of zeros is one that nobody painted: makes it opaque. Returns whether it was
+// one.
+bool paint_clear_alpha(image::Image& picture);
+
 } // namespace scanout::io

@@ -421,16 +421,11 @@ std::int32_t MaterialLoader::load_texture(const std::string& path, const std::st
         texture_fault(path, fmt::format("{}: {}; drawn plain", where, picture.error().what));
         return -1;
     }
-    // An alpha channel of zeros is one that nobody painted.
-    const auto pixels = picture->pixels();
-    if (std::all_of(pixels.begin(), pixels.end(), [](const image::Rgba8& p) { return p.a == 0; })) {
-        for (image::Rgba8& p : picture->pixels())
-            p.a = 255;
+    if (paint_clear_alpha(*picture))
         warnings_.add(
             "alpha zero",
             fmt::format("{}: '{}' has an alpha channel of 0 everywhere; it is drawn opaque", where,
                         shown(path)));
-    }
     const std::uint64_t bytes = picture->pixels().size_bytes();
     texture_bytes_left_ -= bytes;
     out_.bytes += bytes;
