@@ -23,7 +23,7 @@
 #define SCANOUT_COLOUR_BY(X) X(light) X(normal) X(depth) X(side) X(material) X(part)
 #define SCANOUT_SIDES(X) X(one_sided) X(two_sided)
 #define SCANOUT_CULL(X) X(material) X(none) X(back) X(front)
-#define SCANOUT_DEPTH(X) X(fixed_16) X(fixed_24) X(float_32) X(reversed)
+#define SCANOUT_DEPTH(X) X(fixed_16) X(fixed_24) X(float_32) X(linear) X(reversed)
 #define SCANOUT_DEPTH_TEST(X)                                                                      \
     X(equal) X(not_equal) X(always) X(never) X(greater) X(greater_equal) X(less_equal) X(less)
 #define SCANOUT_BLEND(X) X(none) X(over) X(add) X(subtract) X(multiply) X(screen)

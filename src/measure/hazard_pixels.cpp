@@ -2,6 +2,7 @@
 
 #include "base/chunks.h"
 #include "frame/facts/facts.h"
+#include "frame/facts/view_facts.h"
 #include "frame/plan/plan.h"
 #include "frame/renderer.h"
 #include "measure/framed_views.h"
@@ -193,6 +194,7 @@ double depth_step(const scene::View& view, const frame::FrameOptions& options) {
     const double step = format.standard && format.steps > 0 ? 1 / format.steps : 0x1p-24;
     if (view.projection == scene::Projection::orthographic) return step / view.depth_scale;
     const double distance = std::max(view.centre_distance, view.near_distance);
+    if (format.linear) return step * view.near_distance * (frame::depth_reach(view) - 1);
     // depth = near / distance; reversed it keeps 24 bits of any depth.
     return format.standard ? step * distance * distance / view.near_distance : distance * 0x1p-23;
 }

@@ -4,6 +4,7 @@
 #include "frame/facts/shadow_cull_facts.h"
 #include "frame/view/bounding_sphere.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scanout::frame {
@@ -48,12 +49,20 @@ static void put_cuts(const scene::View& view, ViewFacts& found) {
     if (!perspective && std::isfinite(view.cut_near)) found.nearest = depth_at(view.cut_near);
 }
 
+double depth_reach(const scene::View& view) {
+    if (view.projection == scene::Projection::orthographic || !(view.near_distance > 0)) return 0;
+    const BoundingSphere sphere = bounding_sphere(view);
+    const double far = std::min(view.cut_far, sphere.radius - sphere.centre.z);
+    return std::max(far / view.near_distance, 2.0);
+}
+
 ViewFacts view_facts(const FrameOptions& options, const SceneFacts& facts,
                      const scene::View& view) {
     ViewFacts found;
     found.in_view = may_be_visible(view);
     found.orthographic = view.projection == scene::Projection::orthographic;
     put_cuts(view, found);
+    if (options.depth == "linear") found.reach = depth_reach(view);
     if (!found.in_view) return found;
     found.inside = may_be_inside(facts.topology, view);
     found.backs = back_faces_in_view(facts.topology, view);

@@ -32,9 +32,13 @@ struct ViewFacts {
     // Reversed depths between which is drawn, where the caller gives a near or a far plane.
     float farthest = -std::numeric_limits<float>::infinity(),
           nearest = std::numeric_limits<float>::infinity();
+    double reach = 0;                                   // depth_reach, where --depth asks for it
     std::array<LightFacts, scene::kMaxLights> lights{}; // of the options' lights
     friend bool operator==(const ViewFacts&, const ViewFacts&) = default;
 };
+// How many times as far as the near plane the model ends, or the caller's far plane is; without
+// perspective 0.
+double depth_reach(const scene::View& view);
 // There are at most scene::kMaxLights.
 ViewFacts view_facts(const FrameOptions& options, const SceneFacts& facts, const scene::View& view);
 

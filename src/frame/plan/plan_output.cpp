@@ -94,8 +94,10 @@ Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& f
     if (!plan.depth_rule.is_default())
         for (const Technique* card : {&format->card, &compare->card})
             plan.techniques.push_back(card);
-    plan.depth_rule.farthest = plan.depth_rule.stored(view.farthest);
-    plan.depth_rule.nearest = plan.depth_rule.stored(view.nearest);
+    if (format->linear) plan.depth_rule.reach = view.reach;
+    if (std::isfinite(view.farthest))
+        plan.depth_rule.farthest = plan.depth_rule.stored(view.farthest);
+    if (std::isfinite(view.nearest)) plan.depth_rule.nearest = plan.depth_rule.stored(view.nearest);
     if (blends) plan.techniques.push_back(&mix->card);
     return {};
 }

@@ -33,6 +33,8 @@ struct DepthRule {
     // Stored as 1 - depth: a float, or a multiple of 1 / steps where that is not 0.
     bool standard = false;
     double steps = 0;
+    // Above 0: the steps are of the distance, from the near plane's to this many times that.
+    double reach = 0;
     // What the caller cuts off passes no test: stored depths beyond these.
     float farthest = -std::numeric_limits<float>::infinity(),
           nearest = std::numeric_limits<float>::infinity();
@@ -46,13 +48,25 @@ struct DepthRule {
 
     bool wants_order() const { return test == DepthTest::not_equal; }
 
-    // The smallest step between stored depths, near the eye.
-    double step() const { return !standard ? 0 : (steps > 0 ? 1 / steps : 0x1p-24); }
+    // The smallest step between stored depths, near the eye; of even steps of the distance, that of
+    // depths about this one.
+    double step(double depth) const {
+        if (!standard) return 0;
+        const double one = steps > 0 ? 1 / steps : 0x1p-24;
+        return reach > 0 ? depth * depth * (reach - 1) * one : one;
+    }
     // A depth after storing: converted back, so that greater is nearer whatever the format.
     float stored(float depth) const {
         if (!standard) return depth;
-        const double standard_depth = 1.0 - double{depth};
         constexpr double kWhole = 0x1.8p52; // x + kWhole - kWhole is x, rounded to a whole number
+        if (reach > 0) {
+            double share = (1.0 / double{depth} - 1.0) / (reach - 1.0); // of the way
+            share = share > 0 ? share : 0;
+            share = share < 1 ? share : 1;
+            const double kept = (share * steps + kWhole - kWhole) / steps;
+            return static_cast<float>(1.0 / (1.0 + kept * (reach - 1.0)));
+        }
+        const double standard_depth = 1.0 - double{depth};
         const double stored = steps > 0 ? (standard_depth * steps + kWhole - kWhole) / steps
                                         : double{static_cast<float>(standard_depth)};
         return static_cast<float>(1.0 - stored);
@@ -95,6 +109,7 @@ struct DepthFormatRow {
     Technique card;
     bool standard;
     double steps;
+    bool linear = false; // steps of the distance, where there is perspective
 };
 
 } // namespace scanout::raster

@@ -90,6 +90,12 @@ template <class D>
 SIMD_INLINE Float<D> stored_depth(Float<D> z, const DepthRule& rule) {
     if (!rule.standard) return z;
     using Wide = Double<D>;
+    if (rule.reach > 0) {
+        const Wide one = 1.0, more = rule.reach - 1.0, whole = 0x1.8p52;
+        const Wide share = minimum(maximum((one / to_f64(z) - one) / more, Wide(0.0)), one);
+        const Wide kept = ((share * Wide(rule.steps) + whole) - whole) / Wide(rule.steps);
+        return to_f32(one / (one + kept * more));
+    }
     const Wide standard_depth = Wide(1.0) - to_f64(z), whole = 0x1.8p52;
     const Wide stored =
         rule.steps > 0 ? ((standard_depth * Wide(rule.steps) + whole) - whole) / Wide(rule.steps)

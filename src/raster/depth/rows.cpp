@@ -39,6 +39,14 @@ constinit const DepthFormatRow float_32{
          "Lapidous and Jiao 1999"),
     true, 0};
 
+// The distance itself in even steps, as a w-buffer keeps it: just before the eye coarser than the
+// others, behind it finer than those that divide. What is interpolated is 1 / distance, so no edge
+// bends [ClipSpace 4.2].
+constinit const DepthFormatRow linear{
+    card("linear", "24 bits in even steps of the distance, from near to behind the model",
+         "Lapidous and Jiao 1999"),
+    true, 16777215, true};
+
 // Reversed depth, near / distance in a float: steps of 2^-24 of the distance, near and far.
 // Lapidous and Jiao 1999; HARD-CASES L2.
 constinit const DepthFormatRow reversed{

@@ -17,7 +17,7 @@ std::int64_t floor_divide(std::int64_t a, std::int64_t b) { // b > 0
 // Moves a depth forward by no more than 2 r (HARD-CASES 17), in the stored format.
 float forward(double depth, const DepthRule& rule) {
     const auto z = static_cast<float>(depth);
-    const double bias = std::max(depth_bias({.constant = 2}, z, 0), 2 * rule.step());
+    const double bias = std::max(depth_bias({.constant = 2}, z, 0), 2 * rule.step(z));
     return rule.stored(static_cast<float>(double{z} + bias));
 }
 

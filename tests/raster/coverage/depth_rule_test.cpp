@@ -203,6 +203,61 @@ TEST(DepthFormats, LoseTheShareOfPairsThatTheTableSays) {
     }
 }
 
+// z' = (w - n)/(f - n) in 24 bits, from n to f = reach n [ClipSpace 4.2]; and the same in lanes.
+TEST(DepthFormats, LinearKeepsTheDistanceInEvenSteps) {
+    const DepthFormatRow& format = *find_row(raster::depth::kRows, "linear");
+    ASSERT_TRUE(format.linear);
+    Random random(5);
+    for (const double reach : {2.0, 50.0, 40000.0}) {
+        const DepthRule rule{DepthTest::less, format.standard, format.steps, reach};
+        for (int i = 0; i < 3000; ++i) {
+            const double w = 1 + (reach - 1) * random.unit();
+            const auto depth = static_cast<float>(1 / w);
+            const long double share = (1.0L / static_cast<long double>(depth) - 1) / (reach - 1.0L);
+            const long double kept =
+                std::nearbyint(std::clamp(share, 0.0L, 1.0L) * 16777215) / 16777215;
+            const long double step = (reach - 1.0L) / 16777215;
+            // A share in the middle between two steps may round either way.
+            EXPECT_NEAR(static_cast<double>(1 / static_cast<long double>(rule.stored(depth))),
+                        static_cast<double>(1 + kept * (reach - 1)),
+                        static_cast<double>(step * 1e-3L + 1.2e-7L * w));
+            EXPECT_NEAR(rule.step(1 / w), static_cast<double>(step) / (w * w), 1e-12);
+        }
+        EXPECT_EQ(rule.stored(1), 1.0F);
+        EXPECT_EQ(rule.stored(2), 1.0F);
+        EXPECT_EQ(rule.stored(static_cast<float>(0.5 / reach)), static_cast<float>(1 / reach));
+        scanout::test::on_every_target([&](const std::string& target) {
+            VisibilityTile tile;
+            for (int i = 0; i < 300; ++i) {
+                const double depth = 1 / (1 + (reach - 1) * random.unit());
+                tile.reset({0, 0, 8, 8}, 1, rule);
+                tile.draw(
+                    set_up({{{-512, -512}, {4096, -512}, {-512, 4096}}}, 0, {depth, depth, depth}));
+                EXPECT_EQ(tile.depth(2, 2), rule.stored(static_cast<float>(depth))) << target;
+            }
+        });
+    }
+}
+
+// What the caller cuts off passes no test, and is never seen.
+TEST(DepthRule, CutsAreOfEveryTest) {
+    for (const DepthTestRow* test : raster::depth_test::kRows)
+        for (const double depth : {0.1, 0.3, 0.7}) {
+            DepthRule rule{test->test};
+            rule.farthest = 0.2F;
+            rule.nearest = 0.5F;
+            EXPECT_FALSE(rule.is_default());
+            scanout::test::on_every_target([&](const std::string& target) {
+                VisibilityTile tile;
+                tile.reset({0, 0, 8, 8}, 4, rule);
+                tile.draw(
+                    set_up({{{-512, -512}, {4096, -512}, {-512, 4096}}}, 0, {depth, depth, depth}));
+                EXPECT_EQ(tile.empty(), depth != 0.3 || !test->shows)
+                    << test->card.name << ' ' << depth << ' ' << target;
+            });
+        }
+}
+
 // The near plane cuts at 1/16384 of the distance to the target. What stands behind the target by
 // less than this share of its distance may not be told apart from it.
 TEST(DepthFormats, HaveStepsAroundTheTargetOfTheSharesThatTheirCardsSay) {
