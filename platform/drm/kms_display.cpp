@@ -122,6 +122,7 @@ Result<void> KmsDisplay::present(const image::Image& frame, std::span<const imag
     CHECK(ready());
     CHECK_EQ(frame.width(), info_.width);
     CHECK_EQ(frame.height(), info_.height);
+    shown_at_ns_ = 0; // not that of the frame before, whichever way this one takes
     if (activations_ != seat_.activations()) {
         activations_ = seat_.activations();
         pending_ = busy_ = taken_ = false;
@@ -161,7 +162,6 @@ Result<void> KmsDisplay::show_in_front(const image::Image& frame) {
 // Shows the back buffer, which has been drawn.
 Result<void> KmsDisplay::flip() {
     Buffer& back = buffers_[1 - front_];
-    shown_at_ns_ = 0;
     const Errno error = device_->flip(choice_.crtc, back.framebuffer(), ++tag_);
     busy_ = error == EBUSY;
     if (error == 0 || busy_) {

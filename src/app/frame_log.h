@@ -25,6 +25,8 @@ public:
     void reached(std::int64_t shown_at_ns);
     // An action came from input, which happened at `input_ns` (port::Event; 0: not known).
     void took(const std::string& action, std::int64_t input_ns);
+    // What the screen shows next follows from no input: the console was away.
+    void forget_inputs() { input_ns_ = on_its_way_ns_ = 0; }
     // The screen shows everything asked for: logs it, once after each action and frame.
     void settled();
     Result<void> dump(const image::Image& frame, const std::string& path) const;

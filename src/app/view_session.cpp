@@ -179,8 +179,10 @@ void ViewSession::follow_size() {
 Result<void> ViewSession::let_go_of_all() {
     std::vector<Action> actions;
     binder_.release_all(actions);
+    input_ns_ = 0;
     for (const Action& action : actions)
         TRY_VOID(take(action));
+    log_.forget_inputs();
     return {};
 }
 
@@ -206,7 +208,8 @@ Result<void> ViewSession::take_input() {
     binder_.set_flying(viewer_.state().look.flies);
     input_ns_ = 0;
     for (const port::Event& event : events_)
-        if (input_ns_ == 0 || event.time_ns < input_ns_) input_ns_ = event.time_ns;
+        if (event.time_ns != 0 && (input_ns_ == 0 || event.time_ns < input_ns_))
+            input_ns_ = event.time_ns;
     binder_.bind(events_, viewer_.step_number(), actions);
     const bool script_plays = script_.next_step().has_value();
     for (const Action& action : actions) {

@@ -56,11 +56,13 @@ public:
     virtual bool paced() const = 0;
 
     // When the frame presented last reached the screen, CLOCK_MONOTONIC ns, where the display
-    // tells; 0: it does not. Of use once ready().
+    // tells; 0: it does not, and the time when ready() is true again stands for it (of a terminal:
+    // when it has answered that it read the frame). Of use once ready().
     virtual std::int64_t shown_at_ns() const { return 0; }
 
     // A descriptor to wait on for reading, -1 when there is none; dispatch() is called when it is
-    // readable. A flip that does not come within a second counts as done.
+    // readable. A flip that does not come within a second counts as done, an answer of a terminal
+    // that does not come within ten likewise.
     virtual int event_fd() const = 0;
     virtual Result<void> dispatch() = 0;
 

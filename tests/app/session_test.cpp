@@ -57,9 +57,11 @@ TEST_F(Session, TheTimeFromAnInputToItsFrameIsThatOfTheEventsOwnClock) {
                 .count();
         return event;
     };
+    port::Event untimed = key(XKB_KEY_Left, 1s);
+    untimed.time_ns = 0;
     port::HeadlessDisplay display = make_display();
-    TimedInput input({{10ms, {key(XKB_KEY_Left, 100s), key(XKB_KEY_Left, 1s)}}, // one frame of both
-                      {10ms, {key(XKB_KEY_Page_Down, 500s)}},                   // nothing changes
+    TimedInput input({{10ms, {key(XKB_KEY_Left, 100s), untimed}}, // one frame of both
+                      {10ms, {key(XKB_KEY_Page_Down, 500s)}},     // nothing changes
                       {10ms, {key(XKB_KEY_Right, 0s)}},
                       {10ms, {quit()}}});
     auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
@@ -456,6 +458,22 @@ TEST_F(Session, CtrlZSuspendsAndGoesOn) {
                                                   false});
     ASSERT_TRUE((*session)->run());
     EXPECT_EQ(suspended, 1);
+}
+
+TEST_F(Session, AFrameBehindASuspensionIsNotThatOfAKeyBeforeIt) {
+    settings.json = "";
+    settings.no_times = true;
+    port::Event left = press(XKB_KEY_Left), suspend;
+    left.repeats = false;
+    left.time_ns = 1;
+    suspend.kind = port::EventKind::suspend;
+    port::HeadlessDisplay display = make_display();
+    TimedInput input({{20ms, {left, suspend}}, {100ms, {quit()}}});
+    const auto no_stop = [](std::vector<port::Event>&) -> Result<void> { return {}; };
+    auto session = ViewSession::create(settings, {display, input, jobs, no_stop, {}, {}, false});
+    ASSERT_TRUE((*session)->run());
+    EXPECT_EQ(display.frames(), 2U);
+    EXPECT_TRUE((*session)->report(0).input_to_screen_ms.empty());
 }
 
 } // namespace

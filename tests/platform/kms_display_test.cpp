@@ -143,6 +143,13 @@ TEST(KmsDisplay, TellsWhenAFrameReachedTheScreenByTheKernelsClock) {
     EXPECT_EQ(rig.display->shown_at_ns(), 123'456'789);
     ASSERT_TRUE(rig.present_whole(2));
     EXPECT_EQ(rig.display->shown_at_ns(), 0) << "not that of the frame before";
+    rig.card.refresh();
+    ASSERT_TRUE(rig.wait());
+    EXPECT_EQ(rig.display->shown_at_ns(), 123'456'789);
+    rig.seat.set(false);
+    rig.seat.set(true);
+    ASSERT_TRUE(rig.present_whole(3));
+    EXPECT_EQ(rig.display->shown_at_ns(), 0) << "it was shown by the mode, which tells no time";
 }
 
 TEST(KmsDisplayDeathTest, PresentingBeforeTheFlipIsOurOwnMistake) {
