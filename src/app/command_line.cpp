@@ -222,6 +222,8 @@ Result<Settings> parse_words(Command command, std::vector<std::string> words,
     TRY_VOID(apply_in_order(given, parser.parse_order(), settings));
     note_depth_test(settings);
     TRY_VOID(check_together(settings));
+    for (std::string& note : without_effect(settings, names))
+        settings.notes.push_back(std::move(note));
     return settings;
 }
 

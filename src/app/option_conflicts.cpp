@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace scanout::app {
 
@@ -73,6 +74,22 @@ Result<void> check_together(const Settings& s) {
     TRY_VOID(check_textbook(s));
     if (s.verbose && s.quiet) return fail(Exit::usage, "--verbose and --quiet: give one of them");
     return {};
+}
+
+std::vector<std::string> without_effect(const Settings& s,
+                                        const std::set<std::string_view>& given) {
+    std::vector<std::string> notes;
+    if (given.count("terminal") > 0 && s.backend != Backend::terminal)
+        notes.emplace_back("--terminal changes nothing: it goes with --backend terminal");
+    const bool headless = s.backend == Backend::headless, fbdev = s.backend == Backend::fbdev;
+    for (const auto& [name, value] :
+         {std::pair("device", s.device), {"connector", s.connector}, {"mode", s.mode}}) {
+        const bool of_drm = std::string_view(name) != "device";
+        if (given.count(name) > 0 && value != "help" && (headless || (fbdev && of_drm)))
+            notes.push_back(fmt::format("--{} changes nothing: it goes with --backend {}", name,
+                                        of_drm ? "drm" : "drm or fbdev"));
+    }
+    return notes;
 }
 
 std::string_view steadying_option(const Settings& s) {

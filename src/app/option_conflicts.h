@@ -4,12 +4,20 @@
 #include "app/settings.h"
 #include "base/result.h"
 
+#include <set>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace scanout::app {
 
 // What no option can see alone. Errors are whole lines, Exit::usage.
 Result<void> check_together(const Settings& settings);
+
+// Of the options that were given on the command line, by their names: a line for each that has
+// nothing to say about the display that --backend asks for. Standing options may be of another one.
+std::vector<std::string> without_effect(const Settings& settings,
+                                        const std::set<std::string_view>& given);
 
 // Of --no-times, --record and --replay, which make a session look the same in every run, the one
 // that was given; empty: none.

@@ -193,6 +193,26 @@ TEST(Options, OneGivenTwiceWithAnotherValueIsSaid) {
     EXPECT_TRUE(notes({"render", "a.obj", "--light", "key", "--light", "fill"}).empty());
 }
 
+TEST(Options, OneOfAnotherDisplayThanTheBackendsIsSaid) {
+    const auto notes = [](std::vector<std::string> words) {
+        words.insert(words.begin(), {"view", "a.obj"});
+        return parse(std::move(words))->notes;
+    };
+    using Notes = std::vector<std::string>;
+    EXPECT_EQ(notes({"--terminal", "kitty"}),
+              Notes{"--terminal changes nothing: it goes with --backend terminal"});
+    EXPECT_EQ(notes({"--terminal", "auto", "--backend", "drm"}).size(), 1U);
+    EXPECT_EQ(notes({"--backend", "headless", "--connector", "HDMI-A-1"}),
+              Notes{"--connector changes nothing: it goes with --backend drm"});
+    EXPECT_EQ(notes({"--backend", "headless", "--device", "/dev/fb0", "--mode", "highest"}).size(),
+              2U);
+    EXPECT_EQ(notes({"--backend", "fbdev", "--mode", "highest"}).size(), 1U);
+    for (const std::vector<std::string>& words :
+         {Notes{"--backend", "terminal", "--terminal", "sixel"}, Notes{"--connector", "HDMI-A-1"},
+          Notes{"--backend", "fbdev", "--device", "/dev/fb0"}, Notes{"--connector", "help"}})
+        EXPECT_TRUE(notes(words).empty()) << words.front();
+}
+
 TEST(Options, NumbersAreTakenInTheirRangeAndRefusedOutsideIt) {
     for (const Option& row : options()) {
         if (!(row.max > row.min)) continue;
