@@ -1,5 +1,6 @@
 #include "platform/restore.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -12,40 +13,68 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/ioctl.h>
+#include <time.h>
 #include <unistd.h>
 
 namespace scanout::console {
 namespace {
 
-// Faults, and the timers and limits that end a program by default. Not SIGUSR1 and SIGUSR2: the
-// seat's server uses them.
+// Faults, and the timers and limits that end a program by default.
 constexpr std::array kFatalSignals{SIGSEGV, SIGABRT, SIGBUS,    SIGFPE,  SIGILL, SIGSYS, SIGTRAP,
                                    SIGXCPU, SIGALRM, SIGVTALRM, SIGPROF, SIGIO,  SIGPWR};
+// Likewise, and the real-time ones: where a terminal asks for it. The seat's server uses some.
+constexpr std::array kOtherSignals{SIGUSR1, SIGUSR2, SIGSTKFLT};
+constexpr std::size_t kSignalNumbers = 65;
 
 // Written by the main thread, read by handlers on any thread: a flag is set after its data.
 ConsoleState console_state;
 TerminalState terminal_state;
 std::atomic<bool> console_remembered{false}, terminal_remembered{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
-std::array<struct sigaction, kFatalSignals.size()> earlier_actions;
+std::array<struct sigaction, kSignalNumbers> earlier_actions; // by the signal
 // A handler on its own stack also survives a stack overflow.
 std::array<std::byte, std::size_t{1} << 16> handler_stack;
 
 void on_fatal_signal(int signal, siginfo_t* info, void*) {
+    ::signal(SIGTSTP, SIG_IGN); // a thread may be about to stop the process for its terminal's sake
     restore_now();
     // Restores the earlier handlers (a sanitizer, the core dump). A fault repeats by itself when
     // the handler returns; a signal that was sent is sent again.
-    for (std::size_t i = 0; i < kFatalSignals.size(); ++i)
-        if (kFatalSignals[i] == signal) ::sigaction(signal, &earlier_actions[i], nullptr);
+    ::sigaction(signal, &earlier_actions[static_cast<std::size_t>(signal)], nullptr);
     const bool fault = info->si_code > 0 && info->si_code != SI_KERNEL;
     if (!fault) ::raise(signal);
 }
 
-constexpr int kPatienceMs = 500; // with a terminal that takes or says nothing
+// With a terminal that takes nothing; with one that says nothing, where the answer to a frame that
+// it has not read yet comes first.
+constexpr long kTakesMs = 500, kAnswersMs = 2000;
 
-bool becomes(int fd, short event) {
+class Deadline {
+public:
+    explicit Deadline(long ms) : end_(now_ms() + ms) {}
+    int left_ms() const { return static_cast<int>(std::max(end_ - now_ms(), 0L)); }
+
+private:
+    static long now_ms() { // steady_clock is not said to be safe in a handler
+        timespec now{};
+        ::clock_gettime(CLOCK_MONOTONIC, &now);
+        return static_cast<long>(now.tv_sec) * 1000 + now.tv_nsec / 1'000'000;
+    }
+    long end_;
+};
+
+bool becomes(int fd, short event, const Deadline& deadline) {
     pollfd state{fd, event, 0};
-    return ::poll(&state, 1, kPatienceMs) == 1 && (state.revents & event) != 0;
+    int ready = 0;
+    do
+        ready = ::poll(&state, 1, deadline.left_ms());
+    while (ready < 0 && errno == EINTR && deadline.left_ms() > 0);
+    return ready == 1 && (state.revents & event) != 0;
+}
+
+bool in_foreground(int fd) {
+    const pid_t foreground = ::tcgetpgrp(fd);
+    return foreground < 0 || foreground == ::getpgrp();
 }
 
 // The descriptor may be one that does not block. What a terminal does not take is thrown away, so
@@ -56,7 +85,7 @@ bool write_patiently(int fd, std::string_view text) {
         if (count > 0) {
             text.remove_prefix(static_cast<std::size_t>(count));
         } else if (count < 0 && errno == EAGAIN) {
-            if (becomes(fd, POLLOUT)) continue;
+            if (becomes(fd, POLLOUT, Deadline(kTakesMs))) continue;
             if (std::exchange(thrown_away, true)) return false;
             ::tcflush(fd, TCOFLUSH);
         } else if (count == 0 || errno != EINTR) {
@@ -66,26 +95,45 @@ bool write_patiently(int fd, std::string_view text) {
     return true;
 }
 
-// Reads up to the end of ESC [ ? ... c, which answers the last question.
-void wait_for_attributes(int fd) {
-    int matched = 0; // of ESC [ ? and what follows
-    while (becomes(fd, POLLIN)) {
+// Reads up to ESC [ 0 n, or 3 n, which answer the last question and no other. Who reads in the
+// background is stopped.
+void wait_for_status(int fd) {
+    const Deadline deadline(kAnswersMs);
+    std::size_t matched = 0; // of ESC [ 0 n
+    while (in_foreground(fd) && becomes(fd, POLLIN, deadline)) {
         char c = 0;
         const ssize_t count = ::read(fd, &c, 1);
-        if (count <= 0) {
-            if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
-            return;
-        }
-        constexpr std::string_view kStart = "\x1b[?";
-        if (matched == 3) {
-            if (c == 'c') return;
-            if (c == ';' || (c >= '0' && c <= '9')) continue;
-            matched = 0;
-        }
-        matched = c == kStart[static_cast<std::size_t>(matched)] ? matched + 1
-                  : c == '\x1b'                                  ? 1
-                                                                 : 0;
+        if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+        if (count <= 0) return;
+        constexpr std::string_view kStatus = "\x1b[0n";
+        if (c == kStatus[matched] || (matched == 2 && c == '3'))
+            ++matched;
+        else
+            matched = c == kStatus[0] ? 1 : 0;
+        if (matched == kStatus.size()) return;
     }
+}
+
+void take_over(int signal) {
+    struct sigaction action {};
+    action.sa_sigaction = on_fatal_signal;
+    action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_NODEFER;
+    sigemptyset(&action.sa_mask);
+    ::sigaction(signal, &action, &earlier_actions[static_cast<std::size_t>(signal)]);
+}
+
+// Those that would end the program: not what is ignored, or has a use.
+void take_over_others() {
+    static bool installed = false;
+    if (std::exchange(installed, true)) return;
+    const auto take = [](int signal) {
+        struct sigaction now {};
+        if (::sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) take_over(signal);
+    };
+    for (const int signal : kOtherSignals)
+        take(signal);
+    for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal)
+        take(signal);
 }
 
 void install_handlers() {
@@ -97,12 +145,8 @@ void install_handlers() {
     stack_t earlier{};
     if (::sigaltstack(nullptr, &earlier) == 0 && (earlier.ss_flags & SS_DISABLE) != 0)
         ::sigaltstack(&stack, nullptr);
-    struct sigaction action {};
-    action.sa_sigaction = on_fatal_signal;
-    action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_NODEFER;
-    sigemptyset(&action.sa_mask);
-    for (std::size_t i = 0; i < kFatalSignals.size(); ++i)
-        ::sigaction(kFatalSignals[i], &action, &earlier_actions[i]);
+    for (const int signal : kFatalSignals)
+        take_over(signal);
     std::atexit(restore_now);
 }
 
@@ -110,9 +154,8 @@ void install_handlers() {
 
 void restore_terminal(const TerminalState& state) {
     if (!state.farewell.empty() && write_patiently(state.fd, state.farewell) && state.answers)
-        wait_for_attributes(state.fd);
-    const pid_t foreground = ::tcgetpgrp(state.fd);
-    if (foreground < 0 || foreground == ::getpgrp()) ::tcsetattr(state.fd, TCSAFLUSH, &state.modes);
+        wait_for_status(state.fd);
+    if (in_foreground(state.fd)) ::tcsetattr(state.fd, TCSAFLUSH, &state.modes);
     if (state.afterwards != nullptr) state.afterwards();
 }
 
@@ -146,6 +189,7 @@ void remember_terminal(const TerminalState& state) {
     terminal_state = state;
     terminal_remembered = true;
     install_handlers();
+    if (state.every_signal) take_over_others();
 }
 
 void forget_console() {

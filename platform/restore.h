@@ -26,15 +26,20 @@ void restore_console(const ConsoleState& state);
 struct TerminalState {
     int fd = -1;
     termios modes{};
-    std::string_view farewell = {}; // written before; with answers, its end asks for attributes
+    std::string_view farewell = {}; // written before; with answers, its end is kAskStatus
     bool answers = false;           // to be waited for: no answer reaches the shell as a key
+    bool every_signal = false;      // restores it, also those that others have a use for
     void (*afterwards)() = nullptr; // may run in a handler
 };
+// Device status report (DSR): nothing else in a session asks it, so that its answer is the last one
+// of all, whatever was not answered before.
+inline constexpr const char* kAskStatus = "\x1b[5n";
 // Restores the modes, but for those of a terminal that belongs to another job now.
 void restore_terminal(const TerminalState& state);
 
 // What restore_now() undoes. Handlers for SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSYS, SIGTRAP
-// and an atexit function are installed with the first call.
+// and an atexit function are installed with the first call; for SIGUSR1, SIGUSR2, SIGSTKFLT and the
+// real-time signals with the first terminal that wants it.
 void remember_console(const ConsoleState& state);
 void remember_terminal(const TerminalState& state);
 void forget_console();

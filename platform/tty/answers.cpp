@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <optional>
+
+#include <fmt/format.h>
 
 namespace scanout::tty {
 namespace {
@@ -61,9 +62,10 @@ Answer take_sequence(std::string_view text, Facts& facts) {
 Answer take_string(std::string_view text, Facts& facts) {
     if (text.starts_with("_G")) {
         const bool ok = text.ends_with(";OK");
-        const bool queried = text.substr(0, text.find(';')) == "_Gi=31";
-        if (queried) facts.kitty = facts.kitty || ok;
-        return queried ? Answer::fact : Answer::picture;
+        if (text.substr(0, text.find(';')) != fmt::format("_Gi={}", kQueryId))
+            return ok ? Answer::picture : Answer::refusal;
+        facts.kitty = facts.kitty || ok;
+        return Answer::fact;
     }
     // DECRQSS: the colour that was set, if it is known as one of 24 bits.
     if (text.starts_with("P1$r")) {
@@ -84,14 +86,22 @@ std::string through_tmux(std::string_view text) {
 }
 
 std::string questions(bool tmux) {
-    static_assert(kQueryId == 31);
-    const std::string kitty = "\x1b_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\x1b\\";
+    const std::string kitty = fmt::format("\x1b_Gi={},s=1,v=1,a=q,t=d,f=24;AAAA\x1b\\", kQueryId);
     return (tmux ? through_tmux(kitty) : kitty) +
            "\x1b[16t"                             // a cell's pixels
            "\x1b[?1016$p\x1b[?2026$p"             // DECRQM
            "\x1b[48;2;1;2;3m\x1bP$qm\x1b\\\x1b[m" // DECRQSS of a colour
-           "\x1b[?1;1;0S" +
-           std::string(kAskAttributes); // XTSMGRAPHICS
+           "\x1b[?1;1;0S" +                       // XTSMGRAPHICS
+           std::string(kAskAttributes);
+}
+
+std::string refusal_of(const Token& token) {
+    std::string said = token.text.substr(std::min(token.text.find(';'), token.text.size() - 1) + 1);
+    constexpr std::size_t kMost = 60;
+    said.resize(std::min(said.size(), kMost));
+    std::replace_if(
+        said.begin(), said.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return said.empty() ? "an error" : said;
 }
 
 Answer take_answer(const Token& token, Facts& facts) {

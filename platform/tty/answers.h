@@ -16,6 +16,7 @@ struct Facts {
     bool true_colour = false;  // 24-bit colours
     int cell_width = 0, cell_height = 0; // pixels; 0: not said
     int colour_registers = 0;            // of sixel; 0: not said
+    std::string refusal{};               // of a picture by kitty's protocol; "": none
     friend bool operator==(const Facts&, const Facts&) = default;
 };
 
@@ -30,9 +31,12 @@ enum class Answer : unsigned char {
     none,       // the token is no answer
     fact,       // taken into the facts
     attributes, // the device attributes, likewise
-    picture     // kitty has read a picture (or could not)
+    picture,    // kitty has read a picture
+    refusal     // kitty could not take one; Facts::refusal is left to whoever sent it
 };
 Answer take_answer(const Token& token, Facts& facts);
+// What a refusal says: "ENOSPC:full", in characters that a message may have.
+std::string refusal_of(const Token& token);
 
 // `text` for the terminal behind tmux, where its option allow-passthrough is on.
 std::string through_tmux(std::string_view text);

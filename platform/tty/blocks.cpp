@@ -1,6 +1,5 @@
 #include "platform/tty/blocks.h"
 
-#include "base/check.h"
 #include "math/srgb.h"
 
 #include <algorithm>

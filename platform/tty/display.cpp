@@ -1,7 +1,7 @@
 #include "platform/tty/display.h"
 
 #include "platform/tty/kitty.h"
-#include "platform/tty/sixel.h"
+#include "platform/tty/sixel_within.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -19,22 +19,15 @@ constexpr std::chrono::seconds kAnswerTimeout{10};
 constexpr std::size_t kMostForTmux = 1'000'000;
 constexpr int kMostColours = 256;
 
-constexpr const char* name_of(const Choice& choice) {
-    switch (choice.protocol) {
-    case Protocol::kitty:
-        return choice.through_tmux ? "kitty graphics through tmux" : "kitty graphics";
-    case Protocol::sixel:
-        return "sixel";
-    default:
-        return "half blocks";
-    }
+// Terminals have one room for the ids of all programs in them: two of our own, by the process.
+unsigned first_id() {
+    constexpr unsigned kOurs = 0x5c0000;
+    return kOurs + (static_cast<unsigned>(::getpid()) & 0x7fff) * 2;
 }
 
-std::string sixel_within(const image::Image& frame, int colours, std::size_t bytes) {
-    for (;; colours /= 2) {
-        std::string picture = sixel_picture(frame, colours);
-        if (picture.size() <= bytes || colours <= 4) return picture;
-    }
+// Kitty's commands, as they reach the terminal that shows the picture.
+std::string wrapped(const Choice& choice, const std::string& text) {
+    return choice.through_tmux ? through_tmux(text) : text;
 }
 
 } // namespace
@@ -53,35 +46,42 @@ Display::Display(Line& line, const Facts& facts, Protocol asked, bool tmux)
       epoll_(::epoll_create1(EPOLL_CLOEXEC)) {}
 
 void Display::configure(Choice choice) {
+    if (choice.protocol == Protocol::kitty) // before its first picture; it stays, whatever follows
+        line_.set_farewell(
+            wrapped(choice, kitty_delete(first_id()) + kitty_delete(first_id() + 1)));
+    else if (const unsigned shown = std::exchange(id_, 0);
+             shown != 0) // it would cover what follows
+        line_.send(wrapped(choice_, kitty_delete(shown)));
     choice_ = std::move(choice);
     info_.name = fmt::format("{}, {}x{} cells{}", name_of(choice_), choice_.columns, choice_.rows,
                              choice_.why.empty() ? "" : " (" + choice_.why + ")");
-    info_.width = choice_.width();
+    info_.width = choice_.width;
     info_.height = choice_.height;
     info_.refresh_hz = kFramesPerSecond;
     info_.has_pointer = true;
     info_.has_letters = choice_.protocol == Protocol::blocks;
-    repaint();
+    redraw();
 }
 
 void Display::reconfigure(const Facts& facts) {
     facts_ = facts;
-    const WindowSize window = line_.size();
-    if (window.columns < 1 || window.rows < 1) return;
-    auto choice = choose(facts_, window, asked_, tmux_);
+    auto choice = choose(facts_, line_.size(), asked_, tmux_);
     if (choice && !(*choice == choice_)) configure(*std::move(choice));
 }
 
-void Display::repaint() {
+void Display::redraw() {
     stale_ = clear_ = true;
     shown_ = {};
 }
 
-unsigned Display::next_id() {
-    // Terminals have one room for the ids of all programs in them: two of our own, by the process.
-    constexpr unsigned kOurs = 0x5c0000;
-    const unsigned first = kOurs + (static_cast<unsigned>(::getpid()) & 0x7fff) * 2;
-    return id_ == first ? first + 1 : first;
+void Display::repaint() {
+    redraw();
+    awaited_ = Awaited::nothing;
+    watch_output();
+}
+
+unsigned Display::next_id() const {
+    return id_ == first_id() ? first_id() + 1 : first_id();
 }
 
 std::string Display::picture(const image::Image& frame) {
@@ -99,15 +99,13 @@ std::string Display::picture(const image::Image& frame) {
         return "\x1b[H" + sixel_within(frame, colours, tmux_ ? kMostForTmux : std::string::npos);
     }
     const unsigned id = next_id();
-    const auto wrapped = [&](const std::string& text) {
-        return choice_.through_tmux ? through_tmux(text) : text;
-    };
-    std::string out = "\x1b[H" + (choice_.through_tmux
-                                      ? kitty_placeholders(frame, id, choice_.columns, choice_.rows)
-                                      : kitty_picture(frame, id));
-    if (id_ != 0) out += wrapped(kitty_delete(id_)); // only now: nothing flickers
+    std::string out =
+        "\x1b[H" + (choice_.through_tmux
+                        ? kitty_placeholders(frame, id, choice_.columns, choice_.rows)
+                        : kitty_picture(frame, id, choice_.scaled ? choice_.columns : 0,
+                                        choice_.scaled ? choice_.rows : 0));
+    if (id_ != 0) out += wrapped(choice_, kitty_delete(id_)); // only now: nothing flickers
     id_ = id;
-    line_.set_farewell(wrapped(kitty_delete(id)) + wrapped(kitty_delete(next_id())));
     return out;
 }
 
@@ -131,10 +129,14 @@ Result<void> Display::present(const image::Image& frame, std::span<const image::
     return {};
 }
 
-void Display::take(Answer answer) {
-    if ((answer == Answer::picture && awaited_ == Awaited::picture) ||
-        (answer == Answer::attributes && awaited_ == Awaited::attributes))
-        awaited_ = Awaited::nothing;
+bool Display::take(Answer answer) {
+    const bool of_picture = answer == Answer::picture || answer == Answer::refusal;
+    const Awaited told = of_picture                     ? Awaited::picture
+                         : answer == Answer::attributes ? Awaited::attributes
+                                                        : Awaited::nothing;
+    if (told == Awaited::nothing || told != awaited_) return false;
+    awaited_ = Awaited::nothing;
+    return true;
 }
 
 void Display::watch_output() {
@@ -151,11 +153,11 @@ Result<void> Display::dispatch() {
     if (!line_.all_sent()) {
         line_.write_on();
         sent_at_ = std::chrono::steady_clock::now();
-        watch_output();
     } else if (awaited_ != Awaited::nothing &&
                std::chrono::steady_clock::now() - sent_at_ > kAnswerTimeout) {
         awaited_ = Awaited::nothing; // it will not come
     }
+    watch_output();
     return {};
 }
 

@@ -9,7 +9,6 @@
 
 #include <chrono>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace scanout::tty {
@@ -32,18 +31,20 @@ public:
     const Choice& choice() const { return choice_; }
     // The facts or the window's size have changed.
     void reconfigure(const Facts& facts);
-    // The screen shows something else.
+    // The screen shows something else, and a frame that was on its way is answered to nobody.
     void repaint();
-    // The terminal has answered.
-    void take(Answer answer);
+    // The terminal has answered. False: nothing of the kind was awaited.
+    bool take(Answer answer);
+    // Waits for the terminal where it has not taken all that was sent.
+    void watch_output();
 
 private:
     enum class Awaited : unsigned char { nothing, attributes, picture };
     Display(Line& line, const Facts& facts, Protocol asked, bool tmux);
     void configure(Choice choice);
+    void redraw();
     std::string picture(const image::Image& frame);
-    unsigned next_id();
-    void watch_output();
+    unsigned next_id() const;
 
     Line& line_;
     Facts facts_;
@@ -56,7 +57,7 @@ private:
     Awaited awaited_ = Awaited::nothing;
     std::chrono::steady_clock::time_point sent_at_;
     bool stale_ = true, clear_ = false;
-    unsigned id_ = 0; // of the picture that is shown; 0: none is
+    unsigned id_ = 0; // of the picture that kitty shows; 0: none is
     Cells shown_;
     std::vector<port::TextLine> text_;
 };

@@ -99,8 +99,9 @@ std::string base64(std::string_view bytes) {
     return out;
 }
 
-std::string kitty_picture(const image::Image& image, unsigned id) {
-    return sent(image, fmt::format("i={},p=1,C=1", id), false);
+std::string kitty_picture(const image::Image& image, unsigned id, int columns, int rows) {
+    const std::string cells = columns > 0 ? fmt::format(",c={},r={}", columns, rows) : "";
+    return sent(image, fmt::format("i={},p=1,C=1{}", id, cells), false);
 }
 
 std::string kitty_placeholders(const image::Image& image, unsigned id, int columns, int rows) {

@@ -9,8 +9,9 @@
 namespace scanout::tty {
 
 // Shows the picture with its upper left corner at the cursor, which stays; under an id that no
-// other picture has. The terminal answers when it has read it.
-std::string kitty_picture(const image::Image& image, unsigned id);
+// other picture has. The terminal answers when it has read it. columns and rows: it is scaled to
+// that many cells; 0: it has the pixels of the screen.
+std::string kitty_picture(const image::Image& image, unsigned id, int columns = 0, int rows = 0);
 
 // The same through tmux, on columns x rows cells of Unicode placeholders, which tmux moves as text:
 // the picture for the terminal behind it, and the text. Nothing is answered. At most

@@ -1,7 +1,7 @@
 #include "platform/tty/line.h"
 
+#include "base/check.h"
 #include "platform/restore.h"
-#include "platform/tty/answers.h"
 #include "platform/tty/held_output.h"
 
 #include <array>
@@ -10,7 +10,6 @@
 #include <cstring>
 
 #include <fcntl.h>
-#include <poll.h>
 #include <signal.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -27,31 +26,51 @@ constexpr const char* kEndOfString = "\x18\x1b\\";
 constexpr const char* kLeave = "\x1b[?2026l\x1b[?1016l\x1b[?1006l\x1b[?1003l\x1b[?2004l\x1b[m"
                                "\x1b[?7h\x1b[?25h\x1b[?1049l";
 
+// Of two descriptors of terminals: is it the same one? /dev/tty is a name for any.
+bool same_terminal(int a, int b) {
+    unsigned device_a = 0, device_b = 0;
+    return ::ioctl(a, TIOCGDEV, &device_a) != 0 || ::ioctl(b, TIOCGDEV, &device_b) != 0 ||
+           device_a == device_b;
+}
+
 } // namespace
+
+Result<void> check_size(const WindowSize& window) {
+    if (window.columns > 0 && window.rows > 0) return {};
+    return fail(Exit::no_display, "--backend terminal: the terminal does not say its size: set it, "
+                                  "as by `stty cols 80 rows 24`");
+}
+
+Line::Line(Line&& other) noexcept : fd_(std::move(other.fd_)), modes_(other.modes_) {
+    CHECK(!other.entered_);
+}
 
 Result<Line> Line::open() {
     if (::isatty(STDOUT_FILENO) == 0)
         return fail(Exit::no_display, "--backend terminal: standard output is no terminal; by ssh, "
                                       "`ssh -t` makes it one (reports go to --json=FILE)");
-    auto fd = Fd::open("/dev/tty", O_RDWR | O_NOCTTY | O_NONBLOCK);
-    if (!fd)
+    const auto tty = Fd::open("/dev/tty", O_RDWR | O_NOCTTY | O_NONBLOCK);
+    if (!tty)
         return fail(Exit::no_display,
                     "--backend terminal: this process has no controlling terminal");
+    if (!same_terminal(tty->get(), STDOUT_FILENO))
+        return fail(Exit::no_display, "--backend terminal: standard output is another terminal "
+                                      "than the one that scanout is started in: start it there");
+    // Where a standard stream is closed, the number is that of the stream.
+    Fd fd(::fcntl(tty->get(), F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+    if (!fd.valid()) return fail(Exit::no_display, "--backend terminal: {}", std::strerror(errno));
     termios modes{};
-    if (::tcgetattr(fd->get(), &modes) != 0)
+    if (::tcgetattr(fd.get(), &modes) != 0)
         return fail(Exit::no_display, "--backend terminal: the terminal's modes: {}",
                     std::strerror(errno));
-    Line line(std::move(*fd), modes);
+    Line line(std::move(fd), modes);
     if (!line.in_foreground())
         return fail(Exit::no_display, "--backend terminal: the terminal belongs to another job: "
                                       "start scanout in the foreground");
     if (const char* const name = std::getenv("TERM");
         name != nullptr && std::string_view(name) == "dumb")
         return fail(Exit::no_display, "--backend terminal: this terminal only prints (TERM=dumb)");
-    const WindowSize size = line.size();
-    if (size.columns < 1 || size.rows < 1)
-        return fail(Exit::no_display, "--backend terminal: the terminal does not say its size: set "
-                                      "it, as by `stty cols 80 rows 24`");
+    TRY_VOID(check_size(line.size()));
     return line;
 }
 
@@ -71,6 +90,7 @@ void Line::remember() const {
                                 .modes = modes_,
                                 .farewell = whole_farewell_,
                                 .answers = answers_,
+                                .every_signal = true,
                                 .afterwards = release_output});
 }
 
@@ -80,9 +100,10 @@ void Line::set_answers(bool answers) {
 }
 
 void Line::set_farewell(std::string_view text) {
-    console::forget_terminal();
     farewell_ = text;
-    whole_farewell_ = kEndOfString + farewell_ + kLeave + (answers_ ? kAskAttributes : "");
+    std::string whole = kEndOfString + farewell_ + kLeave + (answers_ ? console::kAskStatus : "");
+    console::forget_terminal(); // for as short as it can be: a handler reads the text
+    whole_farewell_ = std::move(whole);
     if (entered_) remember();
 }
 
@@ -111,6 +132,7 @@ void Line::leave() {
 }
 
 void Line::send(std::string_view text) {
+    if (!entered_) return;
     out_ += text;
     write_on();
 }
@@ -132,7 +154,7 @@ void Line::write_on() {
 std::string Line::read() {
     std::string all;
     std::array<char, 4096> bytes;
-    while (!hung_up_) {
+    while (entered_ && !hung_up_) {
         const ssize_t count = ::read(fd(), bytes.data(), bytes.size());
         if (count > 0)
             all.append(bytes.data(), static_cast<std::size_t>(count));

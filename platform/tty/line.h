@@ -18,13 +18,16 @@ struct WindowSize {
     friend bool operator==(const WindowSize&, const WindowSize&) = default;
 };
 
+// Exit::no_display where it has no cells: nobody has told the line its size.
+Result<void> check_size(const WindowSize& window);
+
 class Line {
 public:
     // The controlling terminal, by an open file of our own: that it does not block is no matter of
     // those who share the terminal. Exit::no_display where there is none, where standard output
-    // goes elsewhere, or in the background.
+    // goes elsewhere, also to another terminal, or in the background.
     static Result<Line> open();
-    Line(Line&& other) noexcept = default;
+    Line(Line&& other) noexcept; // before enter(): afterwards handlers know where it is
     Line& operator=(Line&&) = delete;
     ~Line() { leave(); }
 
@@ -43,12 +46,14 @@ public:
     // Written when leaving, before the modes; what takes pictures out of the terminal's memory.
     void set_farewell(std::string_view text);
 
-    // Appends to what is to be written, then writes what can be.
+    // Appends to what is to be written, then writes what can be. Nothing between leave() and
+    // enter(): the terminal is another program's.
     void send(std::string_view text);
     void write_on();
     bool all_sent() const { return out_.empty(); }
 
-    // What the terminal has sent; "" when that is nothing.
+    // What the terminal has sent; "" when that is nothing, and between leave() and enter(): in the
+    // background a read would stop the program.
     std::string read();
 
 private:

@@ -50,10 +50,10 @@ std::optional<port::Button> button_of(int code) {
 
 } // namespace
 
-bool add_mouse(std::string_view sequence, double width, double height, double centre,
+void add_mouse(std::string_view sequence, double width, double height, double centre,
                std::vector<port::Event>& events) {
     const std::optional<Report> report = report_of(sequence);
-    if (!report) return sequence.starts_with('<');
+    if (!report) return;
     port::Event event;
     event.shift = (report->code & kShift) != 0;
     event.alt = (report->code & kAlt) != 0;
@@ -62,21 +62,20 @@ bool add_mouse(std::string_view sequence, double width, double height, double ce
     event.x = std::clamp((report->x + centre) / width, 0.0, 1.0);
     event.y = std::clamp((report->y + centre) / height, 0.0, 1.0);
     events.push_back(event);
-    if ((report->code & kMotion) != 0) return true;
+    if ((report->code & kMotion) != 0) return;
     if ((report->code & kWheel) != 0) {
-        if ((report->code & 3) > 1) return true; // to the sides
+        if ((report->code & 3) > 1) return; // to the sides
         event.kind = port::EventKind::scroll;
         event.scroll = (report->code & 1) != 0 ? kNotch : -kNotch;
         events.push_back(event);
-        return true;
+        return;
     }
     const std::optional<port::Button> button = button_of(report->code);
-    if (!button) return true;
+    if (!button) return;
     event.kind = port::EventKind::button;
     event.button = *button;
     event.pressed = report->pressed;
     events.push_back(event);
-    return true;
 }
 
 } // namespace scanout::tty

@@ -61,7 +61,9 @@ Token token_of(std::string_view bytes) {
 
 } // namespace
 
-void Parser::feed(std::string_view bytes, std::vector<Token>& tokens) {
+bool Parser::feed(std::string_view bytes, std::vector<Token>& tokens) {
+    const bool had_begun = !pending_.empty();
+    const std::size_t before = tokens.size();
     pending_ += bytes;
     std::string_view rest = pending_;
     while (!rest.empty()) {
@@ -72,10 +74,12 @@ void Parser::feed(std::string_view bytes, std::vector<Token>& tokens) {
     }
     pending_.erase(0, pending_.size() - rest.size());
     if (pending_.size() > kMostBytes) pending_.clear();
+    return !pending_.empty() && (!had_begun || tokens.size() > before);
 }
 
 int Parser::patience_ms() const {
-    constexpr int kKeyMs = 50, kAnswerMs = 1000; // an answer may come in two packets
+    // By ssh the bytes of an arrow may be 80 ms apart; an answer may come in two packets.
+    constexpr int kKeyMs = 150, kAnswerMs = 1000;
     return pending_.empty() ? 0 : pending_.size() <= 2 ? kKeyMs : kAnswerMs;
 }
 

@@ -21,8 +21,8 @@ struct Token {
 
 class Parser {
 public:
-    // Appends what `bytes` complete.
-    void feed(std::string_view bytes, std::vector<Token>& tokens);
+    // Appends what `bytes` complete. True: a token has begun, and its time with it.
+    bool feed(std::string_view bytes, std::vector<Token>& tokens);
 
     // How long the rest of a token that has begun may take, ms; 0: none has begun. The Escape key
     // is the first byte of every sequence.

@@ -3,7 +3,6 @@
 #include "platform/terminal.h"
 #include "platform/tty/mouse.h"
 
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -33,6 +32,15 @@ bool environment_has_true_colour() {
     return text == "truecolor" || text == "24bit";
 }
 
+// By a signal, which waits to be taken.
+bool told_to_end() {
+    sigset_t pending;
+    if (::sigpending(&pending) != 0) return false;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
+        if (sigismember(&pending, signal) == 1) return true;
+    return false;
+}
+
 } // namespace
 
 Result<std::unique_ptr<Session>> Session::open(Protocol asked) {
@@ -46,7 +54,10 @@ Result<std::unique_ptr<Session>> Session::open(Protocol asked) {
     session->probe();
     TRY(session->display_, Display::create(session->line_, session->facts_, asked, session->tmux_));
     session->take_fact(session->facts_, false);
-    session->arm(session->events_.empty() ? 0 : 1); // keys that were typed meanwhile
+    session->display_->watch_output();
+    // For keys that were typed meanwhile at once, for the rest of one in its time.
+    session->patience_ms_ = session->events_.empty() ? session->parser_.patience_ms() : 0;
+    session->arm(session->events_.empty() ? session->patience_ms_ : 1);
     return session;
 }
 
@@ -95,9 +106,11 @@ void Session::take_bytes() {
     const std::string bytes = line_.read();
     if (bytes.empty()) return;
     std::vector<Token> tokens;
-    parser_.feed(bytes, tokens);
+    const bool begun = parser_.feed(bytes, tokens);
     take(tokens);
-    arm(parser_.patience_ms());
+    // What follows the first byte does not put it off, but where it makes an answer of a key.
+    const int patience_ms = parser_.patience_ms();
+    if (begun || patience_ms != patience_ms_) arm(patience_ms_ = patience_ms);
 }
 
 void Session::arm(int ms) {
@@ -110,38 +123,44 @@ void Session::arm(int ms) {
 void Session::give_up_late_token() {
     std::uint64_t expirations = 0;
     if (::read(timer_.get(), &expirations, sizeof expirations) != sizeof expirations) return;
+    if (std::exchange(patience_ms_, 0) == 0) { // it has woken us up, no more
+        arm(patience_ms_ = parser_.patience_ms());
+        return;
+    }
     std::vector<Token> tokens;
     parser_.give_up(tokens);
     take(tokens);
 }
 
 void Session::take(const std::vector<Token>& tokens) {
+    const auto now = std::chrono::steady_clock::now();
     for (const Token& token : tokens) {
         const Facts before = facts_;
         if (const Answer answer = take_answer(token, facts_); answer != Answer::none) {
-            if (display_) display_->take(answer);
-            take_fact(before, display_ != nullptr);
-            continue;
+            take_answered(answer, token, before);
+        } else if (token.kind == Token::Kind::sequence && token.text.starts_with('<')) {
+            take_mouse(token);
+        } else if (!paste_.has(token, now) && token.kind != Token::Kind::string) {
+            const std::vector<port::Event> keys =
+                console::keys_of((token.kind == Token::Kind::sequence ? "\x1b[" : "") + token.text);
+            events_.insert(events_.end(), keys.begin(), keys.end());
         }
-        if (token.kind == Token::Kind::sequence && (token.text == "200~" || token.text == "201~"))
-            pasting_ = token.text == "200~";
-        if (token.kind == Token::Kind::sequence && token.text.starts_with('<')) {
-            if (!display_) continue;
-            const Choice& choice = display_->choice();
-            const double height = choice.cell_height > 0
-                                      ? static_cast<double>(choice.height) / choice.cell_height
-                                      : 1;
-            if (pixel_mouse_)
-                add_mouse(token.text, choice.width(), choice.height, 0, events_);
-            else
-                add_mouse(token.text, choice.columns, height, 0.5, events_);
-            continue;
-        }
-        if (pasting_ || token.kind == Token::Kind::string) continue;
-        const std::string bytes = (token.kind == Token::Kind::sequence ? "\x1b[" : "") + token.text;
-        const std::vector<port::Event> keys = console::keys_of(bytes);
-        events_.insert(events_.end(), keys.begin(), keys.end());
     }
+}
+
+void Session::take_answered(Answer answer, const Token& token, const Facts& before) {
+    if (display_ && display_->take(answer) && answer == Answer::refusal)
+        facts_.refusal = refusal_of(token);
+    take_fact(before, display_ != nullptr);
+}
+
+void Session::take_mouse(const Token& token) {
+    if (!display_) return;
+    const Choice& choice = display_->choice();
+    const int across = pixel_mouse_ ? choice.cell_width : 1;
+    const int down = pixel_mouse_ ? choice.cell_height : 1;
+    add_mouse(token.text, choice.columns * across, choice.rows_covered() * down,
+              pixel_mouse_ ? 0 : 0.5, events_);
 }
 
 // Answers that come later than the display was opened count, too.
@@ -163,7 +182,8 @@ void Session::enter() {
     display_->repaint();
 }
 
-void Session::wait_for_foreground() {
+// False: the program is to end instead.
+bool Session::wait_for_foreground() {
     // As Ctrl-Z does by itself: not where nobody could continue us. Continued by `bg`, what draws
     // on a terminal stops again until it gets it.
     sigset_t stop;
@@ -171,6 +191,7 @@ void Session::wait_for_foreground() {
     sigaddset(&stop, SIGTSTP);
     constexpr int kMostTimes = 1000;
     for (int times = 0; times < kMostTimes && (times == 0 || !line_.in_foreground()); ++times) {
+        if (told_to_end()) return false;
         ::pthread_sigmask(SIG_UNBLOCK, &stop, nullptr);
         ::kill(::getpid(), SIGTSTP);
         ::pthread_sigmask(SIG_BLOCK, &stop, nullptr);
@@ -178,6 +199,7 @@ void Session::wait_for_foreground() {
     signalfd_siginfo info{};
     while (::read(window_signals_.get(), &info, sizeof info) == sizeof info) {
     }
+    return !told_to_end();
 }
 
 void Session::take_signals(std::vector<port::Event>& events) {
@@ -186,7 +208,7 @@ void Session::take_signals(std::vector<port::Event>& events) {
     while (::read(window_signals_.get(), &info, sizeof info) == sizeof info)
         (info.ssi_signo == SIGWINCH ? resized : continued) = true;
     if (continued) { // stopped by SIGSTOP: whoever had the terminal may have changed it
-        if (line_.in_foreground())
+        if (line_.in_foreground() && !told_to_end())
             enter();
         else
             (void)suspend(events);
@@ -197,8 +219,8 @@ void Session::take_signals(std::vector<port::Event>& events) {
 }
 
 Result<void> Session::dispatch(std::vector<port::Event>& events) {
+    take_signals(events); // first: it looks at those that end the program
     TRY_VOID(signals_.dispatch(events));
-    take_signals(events);
     take_bytes();
     give_up_late_token();
     const std::int64_t now =
@@ -208,6 +230,7 @@ Result<void> Session::dispatch(std::vector<port::Event>& events) {
         events.push_back(event);
     }
     events_.clear();
+    display_->watch_output(); // for what was sent here
     if (line_.hung_up()) {
         port::Event quit;
         quit.kind = port::EventKind::quit;
@@ -218,8 +241,7 @@ Result<void> Session::dispatch(std::vector<port::Event>& events) {
 
 Result<void> Session::suspend(std::vector<port::Event>&) {
     line_.leave();
-    wait_for_foreground();
-    enter();
+    if (wait_for_foreground()) enter();
     return {};
 }
 

@@ -5,11 +5,11 @@
 #include "platform/tty/display.h"
 #include "platform/tty/line.h"
 #include "platform/tty/parser.h"
+#include "platform/tty/paste.h"
 #include "port/input.h"
 #include "port/signals.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace scanout::tty {
@@ -24,7 +24,7 @@ public:
 
     Display& display() { return *display_; }
 
-    // As console::Session.
+    // As console::Session. Where it is told to end meanwhile, the terminal stays as it was left.
     Result<void> suspend(std::vector<port::Event>& events);
 
     int event_fd() const override { return epoll_.get(); }
@@ -40,18 +40,22 @@ private:
     void arm(int ms); // wakes up for what is late; 0: does not
     void take_signals(std::vector<port::Event>& events);
     void take(const std::vector<Token>& tokens);
+    void take_answered(Answer answer, const Token& token, const Facts& before);
+    void take_mouse(const Token& token);
     void take_fact(const Facts& before, bool was_open);
     void give_up_late_token();
-    void wait_for_foreground();
+    bool wait_for_foreground();
 
     Line line_;
     Fd epoll_, timer_, window_signals_;
     port::Signals signals_;
     Parser parser_;
+    int patience_ms_ = 0; // that the timer is set to, of the token that has begun; 0: to none
+    Paste paste_;
     Facts facts_;
     std::unique_ptr<Display> display_; // none while the terminal is asked
     std::vector<port::Event> events_;  // not yet given away
-    bool tmux_ = false, pasting_ = false, pixel_mouse_ = false;
+    bool tmux_ = false, pixel_mouse_ = false;
 };
 
 } // namespace scanout::tty

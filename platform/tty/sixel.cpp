@@ -200,13 +200,12 @@ std::string sixel_picture(const image::Image& image, int most_colours) {
             add_number(out, level);
         }
     }
-    constexpr int kRows = 6;
     Band band(image.width(), palette.colours.size());
     for (int y = 0; y < image.height(); ++y) {
         const std::span<const Rgba8> row = image.row(y);
         for (int x = 0; x < image.width(); ++x)
-            band.put(x, y % kRows, palette[row[static_cast<std::size_t>(x)]]);
-        if (y % kRows == kRows - 1 || y == image.height() - 1) band.write(out);
+            band.put(x, y % kRowsOfABand, palette[row[static_cast<std::size_t>(x)]]);
+        if (y % kRowsOfABand == kRowsOfABand - 1 || y == image.height() - 1) band.write(out);
     }
     out.back() = '\x1b'; // instead of the last new band, which would scroll
     return out + '\\';

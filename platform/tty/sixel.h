@@ -10,6 +10,8 @@
 
 namespace scanout::tty {
 
+inline constexpr int kRowsOfABand = 6; // of pixels in a row of sixels
+
 // Few colours for many: boxes of colour space are cut in two at their mean, the one with the
 // greatest square error first, along the channel with the greatest (Wan, Wong and Prusinkiewicz
 // 1988). Colours stand in percent, as sixel has them.

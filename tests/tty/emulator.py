@@ -26,12 +26,13 @@ SAVED = (25, 7)  # modes that are on at first
 
 class Terminal:
     """kitty, sixel, true_colour: what it can. cell: pixels, or None where it does not say. answers: False, it is mute.
-    holds: it answers no frame before answer_frame(). tmux: None, "closed" or "open" (allow-passthrough)."""
+    holds: it answers no frame before answer_frame(). refuses: what it says to kitty's pictures. tmux: None, "closed" or "open" (allow-passthrough)."""
 
     def __init__(self, command, *, kitty=False, sixel=False, cell=(8, 16), size=(80, 24), true_colour=True, answers=True, holds=False,
-                 tmux=None, pixel_mouse=False, line_pixels=False, registers=256, environment=(), as_job=False, stderr_is_terminal=False):
+                 refuses=None, tmux=None, pixel_mouse=False, line_pixels=False, registers=256, environment=(), as_job=False, stderr_is_terminal=False):
         self.kitty, self.sixel, self.cell, self.size, self.true_colour, self.answers, self.holds = kitty, sixel, cell, size, true_colour, answers, holds
         self.tmux, self.pixel_mouse, self.line_pixels, self.registers = tmux, pixel_mouse, line_pixels, registers
+        self.refuses, self.late = refuses, None
         self.modes = {mode: True for mode in SAVED}
         self.rest, self.raw, self.held = b"", b"", []
         self.cursor, self.front, self.back = [0, 0], None, None
@@ -126,8 +127,30 @@ class Terminal:
     # ---- What comes
 
     def reply(self, data):
-        if self.answers:
+        if self.late is not None:
+            self.late.append(data)
+        elif self.answers:
             os.write(self.master, data)
+
+    def wait_until_read(self):
+        """What was typed or answered is read."""
+        end = time.monotonic() + LIMIT
+        while struct.unpack("i", fcntl.ioctl(self.slave, termios.FIONREAD, b"    "))[0]:
+            if time.monotonic() > end:
+                raise AssertionError("in vain: nobody reads")
+            time.sleep(0.001)
+
+    def left_to_read(self):
+        """What a shell would read now."""
+        modes = termios.tcgetattr(self.slave)
+        modes[3] &= ~termios.ICANON
+        modes[6][termios.VMIN] = modes[6][termios.VTIME] = 0
+        before = termios.tcgetattr(self.slave)
+        termios.tcsetattr(self.slave, termios.TCSANOW, modes)
+        try:
+            return os.read(self.slave, 4096)
+        finally:
+            termios.tcsetattr(self.slave, termios.TCSANOW, before)
 
     def take(self, data):
         self.raw += data
@@ -187,6 +210,8 @@ class Terminal:
                 self.frame(answer)
             else:
                 self.reply(answer)
+        elif final == b"n" and numbers[0] == 5:
+            self.reply(b"\x1b[0n")
         elif final == b"t" and numbers[0] == 16 and self.cell:
             self.reply(b"\x1b[6;%d;%dt" % (self.cell[1], self.cell[0]))
         elif final == b"$p" and not self.tmux:
@@ -268,7 +293,7 @@ class Terminal:
         if b"U" in keys:
             self.placed.append((int(keys[b"i"]), int(keys[b"c"]), int(keys[b"r"])))
         if b"q" not in keys:
-            self.frame(b"\x1b_Gi=%s;OK\x1b\\" % keys[b"i"])
+            self.frame(b"\x1b_Gi=%s;%s\x1b\\" % (keys[b"i"], self.refuses or b"OK"))
 
     def frame(self, answer):
         """A frame is there; its answer is due."""

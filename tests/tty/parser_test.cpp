@@ -2,6 +2,7 @@
 #include "platform/tty/answers.h"
 #include "platform/tty/mouse.h"
 #include "platform/tty/parser.h"
+#include "platform/tty/paste.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -38,7 +39,8 @@ TEST(Parser, WaitsForTheRestOfASequenceAndLongerForAnAnswer) {
     EXPECT_EQ(parser.patience_ms(), 0);
     parser.feed("\x1b", tokens);
     EXPECT_TRUE(tokens.empty());
-    EXPECT_EQ(parser.patience_ms(), 50);
+    EXPECT_GE(parser.patience_ms(), 150) << "an arrow in two packets is no Escape";
+    EXPECT_LE(parser.patience_ms(), 200);
     parser.give_up(tokens);
     EXPECT_THAT(tokens, ElementsAre(Token{Kind::keys, "\x1b"})) << "the Escape key";
     tokens.clear();
@@ -51,6 +53,17 @@ TEST(Parser, WaitsForTheRestOfASequenceAndLongerForAnAnswer) {
     parser.give_up(tokens);
     EXPECT_TRUE(tokens.empty()) << "half an answer is no key";
     EXPECT_EQ(parser.patience_ms(), 0);
+}
+
+TEST(Parser, SaysWhenATokenBeginsSoThatWhatFollowsDoesNotPutItsEndOff) {
+    Parser parser;
+    std::vector<Token> tokens;
+    EXPECT_FALSE(parser.feed("q", tokens)) << "it is whole";
+    EXPECT_TRUE(parser.feed("\x1b_", tokens));
+    EXPECT_FALSE(parser.feed("Gi=31", tokens));
+    EXPECT_FALSE(parser.feed(";O", tokens));
+    EXPECT_TRUE(parser.feed("K\x1b\\\x1b[", tokens)) << "another one";
+    EXPECT_FALSE(parser.feed("A", tokens));
 }
 
 TEST(Parser, AnEndlessStringIsThrownAway) {
@@ -121,7 +134,10 @@ TEST(Answers, AreTakenAsTheTerminalGivesThem) {
 TEST(Answers, APictureIsToldFromTheQuestionAndFromKeys) {
     Facts facts;
     EXPECT_EQ(take_answer({Kind::string, "_Gi=77;OK"}, facts), Answer::picture);
-    EXPECT_EQ(take_answer({Kind::string, "_Gi=77;ENOSPC:full"}, facts), Answer::picture);
+    EXPECT_EQ(take_answer({Kind::string, "_Gi=77;ENOSPC:full"}, facts), Answer::refusal);
+    EXPECT_EQ(refusal_of({Kind::string, "_Gi=77;ENOSPC:full\x1b[2J"}), "ENOSPC:full?[2J");
+    EXPECT_EQ(refusal_of({Kind::string, "_Gi=77"}), "an error");
+    EXPECT_EQ(facts, Facts());
     EXPECT_FALSE(facts.kitty);
     EXPECT_EQ(take_answer({Kind::string, "_Gi=31;OK"}, facts), Answer::fact);
     EXPECT_EQ(take_answer({Kind::sequence, "?62c"}, facts), Answer::attributes);
@@ -134,9 +150,26 @@ TEST(Answers, WhatGoesThroughTmuxHasItsEscapesDoubled) {
     EXPECT_EQ(through_tmux("\x1b_Ga;b\x1b\\"), "\x1bPtmux;\x1b\x1b_Ga;b\x1b\x1b\\\x1b\\");
 }
 
+TEST(Paste, IsNoKeysUpToItsEndOrASilence) {
+    using std::chrono::milliseconds;
+    const Token begin{Kind::sequence, "200~"}, end{Kind::sequence, "201~"}, key{Kind::keys, "q"};
+    Paste paste;
+    Paste::Time now = std::chrono::steady_clock::now();
+    EXPECT_FALSE(paste.has(key, now));
+    EXPECT_TRUE(paste.has(begin, now));
+    for (int i = 0; i < 100; ++i)
+        EXPECT_TRUE(paste.has(key, now += milliseconds(900))) << "a long one on a slow line";
+    EXPECT_TRUE(paste.has(end, now));
+    EXPECT_FALSE(paste.has(key, now)) << "right behind it";
+    EXPECT_TRUE(paste.has(begin, now));
+    EXPECT_TRUE(paste.has(key, now));
+    EXPECT_FALSE(paste.has(key, now += milliseconds(1100))) << "the end was lost";
+    EXPECT_FALSE(paste.has(key, now));
+}
+
 TEST(Mouse, ButtonsMotionAndWheelBecomeEvents) {
     std::vector<port::Event> events;
-    EXPECT_TRUE(add_mouse("<4;41;7M", 80, 24, 0.5, events));
+    add_mouse("<4;41;7M", 80, 24, 0.5, events);
     ASSERT_EQ(events.size(), 2U);
     EXPECT_EQ(events[0].kind, port::EventKind::motion_absolute);
     EXPECT_DOUBLE_EQ(events[0].x, 40.5 / 80);
@@ -145,24 +178,23 @@ TEST(Mouse, ButtonsMotionAndWheelBecomeEvents) {
     EXPECT_EQ(events[1].button, port::Button::left);
     EXPECT_TRUE(events[1].pressed && events[1].shift && !events[1].control);
     events.clear();
-    EXPECT_TRUE(add_mouse("<18;999;999m", 80, 24, 0.5, events));
+    add_mouse("<18;999;999m", 80, 24, 0.5, events);
     EXPECT_EQ(events[0].x, 1) << "cut to the picture";
     EXPECT_EQ(events[1].button, port::Button::right);
     EXPECT_TRUE(!events[1].pressed && events[1].control);
     events.clear();
-    EXPECT_TRUE(add_mouse("<35;3;4M", 80, 24, 0.5, events));
+    add_mouse("<35;3;4M", 80, 24, 0.5, events);
     EXPECT_EQ(events.size(), 1U) << "motion alone";
     events.clear();
-    EXPECT_TRUE(add_mouse("<65;3;4M", 80, 24, 0.5, events));
+    add_mouse("<65;3;4M", 80, 24, 0.5, events);
     EXPECT_EQ(events[1].scroll, 120) << "towards the user";
-    EXPECT_TRUE(add_mouse("<64;3;4M", 80, 24, 0.5, events));
+    add_mouse("<64;3;4M", 80, 24, 0.5, events);
     EXPECT_EQ(events[3].scroll, -120);
     events.clear();
-    EXPECT_TRUE(add_mouse("<66;3;4M", 80, 24, 0.5, events));
+    add_mouse("<66;3;4M", 80, 24, 0.5, events);
     EXPECT_EQ(events.size(), 1U) << "a wheel to the side";
-    EXPECT_FALSE(add_mouse("1;2A", 80, 24, 0.5, events));
     for (const char* broken : {"<M", "<1;2M", "<a;b;cM", "<99999999999999;1;1M"})
-        EXPECT_TRUE(add_mouse(broken, 80, 24, 0.5, events)) << "of the mouse, and nothing";
+        add_mouse(broken, 80, 24, 0.5, events);
     EXPECT_EQ(events.size(), 1U);
 }
 

@@ -3,6 +3,7 @@
 #include "platform/tty/choose.h"
 #include "platform/tty/kitty.h"
 #include "platform/tty/sixel.h"
+#include "platform/tty/sixel_within.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -26,6 +27,27 @@ TEST(Sixel, IsOneSequenceOfTheStandard) {
     image.at(2, 6) = {0, 0, 255, 255};
     EXPECT_EQ(sixel_picture(image, 256), "\x1bP0;1q\"1;1;4;7#0;2;0;0;100#1;2;100;0;0"
                                          "#1!4~-#0??@$#1@@?@\x1b\\");
+}
+
+TEST(Sixel, IsWithinItsBytesByFewerColoursAndThenInSquares) {
+    Image noise(500, 300);
+    unsigned random = 1;
+    for (image::Rgba8& p : noise.pixels()) {
+        const auto next = [&] {
+            return static_cast<std::uint8_t>((random = random * 1664525 + 1013904223) >> 24);
+        };
+        p = {next(), next(), next(), 255};
+    }
+    const std::string whole = sixel_within(noise, 256, std::string::npos);
+    EXPECT_EQ(whole, sixel_picture(noise, 256));
+    EXPECT_EQ(sixel_within(noise, 256, sixel_picture(noise, 16).size()), sixel_picture(noise, 16));
+    ASSERT_GT(sixel_picture(noise, 4).size(), 50'000U);
+    for (const std::size_t bytes : {50'000U, 5'000U, 2'000U}) {
+        const std::string few = sixel_within(noise, 256, bytes);
+        EXPECT_LE(few.size(), bytes);
+        EXPECT_TRUE(few.starts_with("\x1bP0;1q\"1;1;500;300#")) << "of the same size";
+        EXPECT_GT(few.size(), bytes / 8) << "and no smaller than it takes";
+    }
 }
 
 RC_GTEST_PROP(Palette, few_colours_are_all_kept, ()) {
@@ -105,7 +127,7 @@ TEST(Blocks, OnlyWhatDiffersIsWritten) {
 }
 
 constexpr WindowSize kWindow{80, 24, 0, 0};
-constexpr Facts kCell{.answers = true, .cell_width = 10, .cell_height = 20};
+const Facts kCell{.answers = true, .cell_width = 10, .cell_height = 20};
 
 Facts with(Facts facts, bool kitty, bool sixel) {
     facts.kitty = kitty;
@@ -118,12 +140,12 @@ TEST(Choose, TheBestThatTheTerminalSaidItHas) {
               Protocol::kitty);
     const Choice sixel = *choose(with(kCell, false, true), kWindow, Protocol::automatic, false);
     EXPECT_EQ(sixel.protocol, Protocol::sixel);
-    EXPECT_EQ(sixel.width(), 800);
+    EXPECT_EQ(sixel.width, 800);
     EXPECT_EQ(sixel.height, 456) << "23 rows of 20, cut to six";
     const Choice blocks = *choose(kCell, kWindow, Protocol::automatic, false);
     EXPECT_EQ(blocks.protocol, Protocol::blocks);
     EXPECT_NE(blocks.why, "");
-    EXPECT_EQ(blocks.width(), 560);
+    EXPECT_EQ(blocks.width, 560);
     EXPECT_EQ(blocks.height, 336);
     EXPECT_EQ(choose(kCell, kWindow, Protocol::blocks, false)->why, "") << "it was asked for";
 }
@@ -131,7 +153,7 @@ TEST(Choose, TheBestThatTheTerminalSaidItHas) {
 TEST(Choose, ACellOfUnknownSizeIsNeverGuessed) {
     const Facts unknown = with({.answers = true}, true, true);
     EXPECT_EQ(choose(unknown, kWindow, Protocol::automatic, false)->protocol, Protocol::blocks);
-    EXPECT_EQ(choose(unknown, {80, 24, 800, 480}, Protocol::automatic, false)->width(), 800);
+    EXPECT_EQ(choose(unknown, {80, 24, 800, 480}, Protocol::automatic, false)->width, 800);
     EXPECT_EQ(choose(unknown, kWindow, Protocol::sixel, false).error().exit, Exit::no_display);
     EXPECT_EQ(choose(unknown, kWindow, Protocol::kitty, false).error().exit, Exit::no_display);
 }
@@ -139,12 +161,58 @@ TEST(Choose, ACellOfUnknownSizeIsNeverGuessed) {
 TEST(Choose, AWindowOfOneCellHasAPictureNevertheless) {
     for (const Protocol asked : {Protocol::kitty, Protocol::sixel, Protocol::blocks}) {
         const Choice choice = *choose(kCell, {1, 1, 0, 0}, asked, false);
-        EXPECT_GT(choice.width(), 0);
+        EXPECT_GT(choice.width, 0);
         EXPECT_GT(choice.height, 0);
     }
     EXPECT_GT(
         choose({.cell_width = 1, .cell_height = 1}, {1, 1, 0, 0}, Protocol::sixel, false)->height,
         0);
+}
+
+TEST(Choose, AWindowWithoutCellsIsRefused) {
+    for (const WindowSize& window :
+         {WindowSize{}, WindowSize{0, 24, 0, 0}, WindowSize{80, 0, 0, 0}})
+        EXPECT_EQ(choose({.answers = true}, window, Protocol::automatic, false).error().exit,
+                  Exit::no_display);
+}
+
+TEST(Choose, APictureHasAtMost16MillionPixelsAndKeepsItsShape) {
+    const auto pixels = [](const Choice& c) { return std::int64_t{c.width} * c.height; };
+    const WindowSize window{900, 300, 0, 0}; // 9000x6000 pixels
+    for (const Protocol asked : {Protocol::kitty, Protocol::sixel}) {
+        const Choice choice = *choose(with(kCell, true, true), window, asked, false);
+        EXPECT_LE(pixels(choice), kMostPixels);
+        EXPECT_GE(pixels(choice), kMostPixels * 98 / 100);
+        EXPECT_NEAR(choice.width, choice.height * 1.5, 25);
+    }
+    const Choice kitty = *choose(with(kCell, true, true), window, Protocol::kitty, false);
+    EXPECT_TRUE(kitty.scaled && kitty.columns == 900 && kitty.rows == 300) << "the whole window";
+    EXPECT_NE(kitty_picture(Image(2, 2), 7, 900, 300).find(",c=900,r=300,"), std::string::npos);
+    EXPECT_EQ(kitty_picture(Image(2, 2), 7).find(",c="), std::string::npos);
+    EXPECT_FALSE(choose(with(kCell, true, true), kWindow, Protocol::kitty, false)->scaled);
+    constexpr int kMost = 65535;
+    const Facts large{.answers = true, .kitty = true, .cell_width = 1000, .cell_height = 1000};
+    for (const WindowSize& extreme : {WindowSize{kMost, kMost, 0, 0}, WindowSize{kMost, 1, 0, 0},
+                                      WindowSize{1, kMost, 0, 0}, WindowSize{9999, 9999, 0, 0}})
+        for (const Protocol asked : {Protocol::kitty, Protocol::sixel, Protocol::blocks}) {
+            const Choice choice = *choose(large, extreme, asked, false);
+            EXPECT_GE(pixels(choice), 1);
+            EXPECT_LE(pixels(choice), kMostPixels);
+        }
+}
+
+TEST(Choose, ARefusedPictureIsFollowedByTheNextBestAndItIsSaidWhy) {
+    for (const Protocol asked : {Protocol::automatic, Protocol::kitty}) {
+        Facts facts = with(kCell, true, true);
+        facts.refusal = "ENOMEM:no";
+        const Choice sixel = *choose(facts, kWindow, asked, false);
+        EXPECT_EQ(sixel.protocol, Protocol::sixel);
+        EXPECT_NE(sixel.why.find("ENOMEM:no"), std::string::npos);
+        facts.sixel = false;
+        const Choice blocks = *choose(facts, kWindow, asked, false);
+        EXPECT_EQ(blocks.protocol, Protocol::blocks);
+        EXPECT_NE(blocks.why.find("ENOMEM:no"), std::string::npos);
+    }
 }
 
 } // namespace

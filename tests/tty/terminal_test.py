@@ -10,15 +10,17 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
-from emulator import Terminal, read_ppm
+from emulator import LIMIT, Terminal, read_ppm
 
 SCANOUT, ROOT = os.path.abspath(sys.argv.pop(1)), os.path.abspath(sys.argv.pop(1))
 SPOT = os.path.join(ROOT, "models/spot/spot.obj")
 STEADY = ["--converge", "off", "--budget", "none", "--threads", "2"]
 VIEW = [SCANOUT, "view", SPOT, "--backend", "terminal", "--no-config", "--verbose", *STEADY]
 STILL = [*VIEW, "--no-times"]  # no line about the keys
+SIGSTKFLT = 16  # Python has no name for it
 LEFT, RIGHT = "\x1b[D", "\x1b[C"
 
 
@@ -225,6 +227,25 @@ class Questions(TerminalTest):
             self.assertEqual(done.stdout, b"")
             self.assertRegex(done.stderr, rb"\Ascanout: --backend terminal: [^\n]*\n\Z")
 
+    def test_another_terminal_than_its_own_is_refused_in_one_line(self):
+        master, slave = os.openpty()
+        self.addCleanup(lambda: (os.close(master), os.close(slave)))
+        terminal = self.start(["/bin/sh", "-c", f'exec "$@" >{os.ttyname(slave)}', "sh", *STILL])
+        self.leave(terminal, 5)
+        self.assertRegex(terminal.said, rb"\Ascanout: --backend terminal: standard output is another terminal [^\n]*\n\Z")
+        self.assertEqual(terminal.raw, b"")
+
+    def test_a_picture_that_is_refused_is_followed_by_what_is_left(self):
+        for what in ({"sixel": True}, {}):
+            for asked in ("auto", "kitty"):
+                with self.subTest(asked=asked, **what):
+                    terminal = self.shown([*STILL, "--terminal", asked], kitty=True, refuses=b"ENOMEM:no", **what)
+                    self.assertEqual(bool(terminal.sixel_bytes), "sixel" in what)
+                    self.assertEqual(bool(terminal.half_blocks()), "sixel" not in what)
+                    self.assertEqual(terminal.said.count(b"could not take kitty's picture: ENOMEM:no\n"), 1)
+                    self.assertEqual(terminal.images, {}, "it would cover what follows")
+                    self.leave_by_q(terminal)
+
     def test_a_terminal_that_only_prints_gets_nothing(self):
         terminal = self.start(environment={"TERM": "dumb"})
         self.leave(terminal, 5)
@@ -236,6 +257,19 @@ class Questions(TerminalTest):
         terminal.wait_for(lambda: b"\x1b[c" in terminal.raw, "the questions")
         terminal.type(LEFT)
         terminal.wait_for_line(" rotate_left")
+
+    def test_half_an_answer_and_escape_are_given_up(self):
+        for typed, key, what in ((b"\x1b_Gi=31;O", "i", lambda t: b" toggle_info" in t.said), (b"\x1b", "", lambda t: b"ended" in t.reported)):
+            with self.subTest(typed=typed):
+                terminal = self.start(answers=False)
+                terminal.wait_for(lambda: b"\x1b[c" in terminal.raw, "the questions")
+                terminal.type(typed)
+                end = time.monotonic() + LIMIT
+                while not what(terminal) and time.monotonic() < end:
+                    if key:
+                        terminal.type(key)
+                    terminal.read(0.02)
+                self.assertTrue(what(terminal))
 
 
 class Frames(TerminalTest):
@@ -340,7 +374,8 @@ class KeysAndMouse(TerminalTest):
 class Ends(TerminalTest):
     def test_the_terminal_is_as_before_after_every_key_and_signal(self):
         ways = [("q", 0), ("\x1b", 0), ("\x03", 0), ("\x1c", 0), (signal.SIGTERM, 0), (signal.SIGHUP, 0), (signal.SIGINT, 0),
-                (signal.SIGSEGV, -signal.SIGSEGV), (signal.SIGABRT, -signal.SIGABRT)]
+                *((number, -number) for number in (signal.SIGSEGV, signal.SIGABRT, signal.SIGUSR1, signal.SIGUSR2, SIGSTKFLT, signal.SIGRTMIN,
+                                              signal.SIGRTMAX))]
         with open(SCANOUT, "rb") as program:
             sanitized = re.search(rb"__[at]san_init", program.read())  # it ends in its own way
         for number, (way, code) in enumerate(ways):
@@ -361,8 +396,8 @@ class Ends(TerminalTest):
         for way in (signal.SIGTERM, signal.SIGSEGV):
             with self.subTest(way=way):
                 terminal = self.start(kitty=True, size=(240, 80))
-                while b"_Ga=T" not in terminal.raw:
-                    terminal.read(60)
+                terminal.wait_for(lambda: terminal.loading, "the beginning of a picture")
+                self.assertEqual(terminal.frames, 0, "its end waits for the terminal, which has not read on")
                 os.kill(terminal.pid, way)
                 terminal.end()
                 self.assertIsNone(terminal.is_as_before())
@@ -412,6 +447,73 @@ class Ends(TerminalTest):
         frames = terminal.frames
         os.write(terminal.orders, b"f")
         terminal.wait_for(lambda: terminal.frames > frames, "a frame")
+        self.leave_by_q(terminal)
+
+    def test_stopped_and_told_to_end_it_ends_in_the_background(self):
+        for stop, way, code in (("\x1a", signal.SIGTERM, 0), (signal.SIGSTOP, signal.SIGTERM, 0), (signal.SIGSTOP, signal.SIGSEGV, -signal.SIGSEGV)):
+            with self.subTest(stop=stop, way=way):
+                terminal = self.shown(as_job=True)
+                if isinstance(stop, str):
+                    terminal.type(stop)
+                else:
+                    os.kill(terminal.pid, stop)
+                terminal.wait_for(lambda: b"stopped" in terminal.reported, "the stop")
+                os.kill(terminal.pid, way)
+                os.write(terminal.orders, b"b")
+                if code == 0:
+                    self.assertEqual(terminal.end(), code)
+                    self.assertEqual(terminal.reported.count(b"stopped"), 1)
+                else:  # the thread that takes the signal may be a moment behind the one that waits for the foreground
+                    terminal.wait_for(lambda: terminal.reported.count(b"stopped") == 2 or b"ended" in terminal.reported, "the end or a stop")
+                    os.write(terminal.orders, b"b")
+                    self.assertEqual(terminal.end(), code)
+                self.assertEqual({mode for mode, on in terminal.modes.items() if on}, {7, 25})
+
+    def test_suspended_and_told_to_end_it_does_not_take_the_terminal_again(self):
+        terminal = self.shown(as_job=True)
+        terminal.type("\x1a")
+        terminal.wait_for(lambda: b"stopped" in terminal.reported, "the stop")
+        while terminal.read(0):
+            pass
+        written = len(terminal.raw)
+        os.kill(terminal.pid, signal.SIGTERM)
+        os.write(terminal.orders, b"f")
+        self.leave(terminal)
+        self.assertEqual(terminal.raw[written:], b"")
+
+    def test_no_answer_reaches_the_shell_however_late_it_comes(self):
+        for what in ({"kitty": True}, {"sixel": True}, {}):
+            for attempt in range(20):  # it waits for 2 s, which a busy machine may let pass
+                terminal = self.shown(**what)
+                frames, terminal.late = terminal.frames, []
+                terminal.type(LEFT)
+                terminal.wait_for(lambda: terminal.frames > frames, "a frame, which is not answered")
+                terminal.type("q")
+                terminal.wait_for(lambda: len(terminal.late) == 2, "the last question")
+                asked = time.monotonic()
+                os.write(terminal.master, terminal.late[0])
+                terminal.wait_until_read()
+                terminal.read(0.2)  # whoever takes this for the answer ends now
+                os.write(terminal.master, terminal.late[1])
+                if time.monotonic() - asked < 1.5:
+                    break
+            with self.subTest(**what):
+                self.leave(terminal)
+                self.assertEqual(terminal.left_to_read(), b"")
+
+    def test_keys_do_not_put_off_the_end_in_a_terminal_that_has_become_mute(self):
+        terminal = self.shown(sixel=True)
+        terminal.answers = False
+        terminal.type("q")
+        end = time.monotonic() + LIMIT
+        while b"ended" not in terminal.reported and time.monotonic() < end:
+            terminal.type("x")
+            terminal.read(0.02)
+        self.assertIn(b"ended 0\n", terminal.reported)
+
+    def test_without_standard_error_it_is_as_before_too(self):
+        terminal = self.start(["/bin/sh", "-c", 'exec "$@" 2>&-', "sh", *STILL], kitty=True)
+        terminal.wait_for(lambda: terminal.frames > 0, "a frame")
         self.leave_by_q(terminal)
 
     def test_where_nobody_could_continue_it_it_is_not_suspended(self):

@@ -63,20 +63,40 @@ private:
     OpenDisplay open_;
 };
 
-class TerminalConsole final : public OpenConsole {
+// Says why there is nothing better, whenever that becomes another reason.
+class TerminalConsole final : public OpenConsole, public port::Input {
 public:
-    explicit TerminalConsole(std::unique_ptr<tty::Session> session)
-        : session_(std::move(session)) {}
+    TerminalConsole(std::unique_ptr<tty::Session> session, bool quiet)
+        : session_(std::move(session)), quiet_(quiet) {
+        say_why();
+    }
 
     port::Display& display() override { return session_->display(); }
-    port::Input& input() override { return *session_; }
+    port::Input& input() override { return *this; }
+    int event_fd() const override { return session_->event_fd(); }
+    Result<void> dispatch(std::vector<port::Event>& events) override {
+        TRY_VOID(session_->dispatch(events));
+        say_why();
+        return {};
+    }
+    std::string description() const override { return session_->description(); }
     Result<void> suspend(std::vector<port::Event>& events) override {
         return session_->suspend(events);
     }
     const char* backend() const override { return "terminal"; }
 
 private:
+    void say_why() {
+        const tty::Choice& choice = session_->display().choice();
+        if (choice.why == why_) return;
+        why_ = choice.why;
+        if (!why_.empty() && !quiet_)
+            say(fmt::format("scanout: drawn as {}: {}", tty::name_of(choice), why_));
+    }
+
     std::unique_ptr<tty::Session> session_;
+    bool quiet_;
+    std::string why_; // as it was said
 };
 
 Result<std::unique_ptr<OpenConsole>> open_on_terminal(const Settings& settings) {
@@ -89,9 +109,7 @@ Result<std::unique_ptr<OpenConsole>> open_on_terminal(const Settings& settings) 
                                        tty::Protocol::sixel, tty::Protocol::blocks};
     TRY(std::unique_ptr<tty::Session> session,
         tty::Session::open(kProtocols[static_cast<std::size_t>(settings.terminal)]));
-    if (const std::string& why = session->display().choice().why; !why.empty() && !settings.quiet)
-        say("scanout: drawn as half blocks: " + why);
-    return std::make_unique<TerminalConsole>(std::move(session));
+    return std::make_unique<TerminalConsole>(std::move(session), settings.quiet);
 }
 
 } // namespace
