@@ -12,10 +12,12 @@ public:
     using Time = std::chrono::steady_clock::time_point;
 
     // Is the token, which came at that time, of a paste? One whose end does not come is over when
-    // nothing has come for a while: keys would be deaf for ever.
+    // nothing has come for a while, and at Ctrl-C, which is always heard: keys would be deaf for
+    // ever.
     bool has(const Token& token, Time now) {
         constexpr std::chrono::seconds kSilence{1};
-        if (now - last_ > kSilence) going_ = false;
+        const bool interrupts = token.kind == Token::Kind::keys && token.text == "\x03";
+        if (interrupts || now - last_ > kSilence) going_ = false;
         last_ = now;
         const bool begins = is(token, "200~");
         if (begins || is(token, "201~")) {

@@ -165,6 +165,8 @@ TEST(Paste, IsNoKeysUpToItsEndOrASilence) {
     EXPECT_TRUE(paste.has(key, now));
     EXPECT_FALSE(paste.has(key, now += milliseconds(1100))) << "the end was lost";
     EXPECT_FALSE(paste.has(key, now));
+    EXPECT_TRUE(paste.has(begin, now));
+    EXPECT_FALSE(paste.has({Kind::keys, "\x03"}, now)) << "Ctrl-C always ends the viewer";
 }
 
 TEST(Mouse, ButtonsMotionAndWheelBecomeEvents) {
