@@ -1,5 +1,6 @@
 #include "platform/console.h"
 
+#include "platform/device_calls.h"
 #include "platform/devices.h"
 
 #include <cerrno>
@@ -17,18 +18,27 @@
 #include <unistd.h>
 
 namespace scanout::console {
+namespace {
+
+Result<Fd> open_terminal_device(const std::string& path) {
+    Fd fd(device_calls().open(path.c_str(), O_RDWR | O_NOCTTY));
+    if (!fd.valid()) return fail(Exit::unreadable, "{}: {}", path, std::strerror(errno));
+    return fd;
+}
+
+} // namespace
 
 // fd: any descriptor of a terminal. Only /dev/tty1 to /dev/tty63 are virtual terminals.
 Result<Console> Console::adopt(Fd fd) {
     // TIOCGDEV tells the terminal behind /dev/tty and /dev/console too.
     unsigned device = 0;
-    if (::ioctl(fd.get(), TIOCGDEV, &device) != 0) device = 0;
+    if (control(fd.get(), TIOCGDEV, &device) != 0) device = 0;
     const int number = static_cast<int>(minor(device));
     if (major(device) != TTY_MAJOR || number < 1 || number > MAX_NR_CONSOLES)
         return fail(Exit::no_display,
                     "the terminal is not a virtual terminal (/dev/tty1 to /dev/tty63)");
     int keyboard_mode = 0;
-    if (::ioctl(fd.get(), KDGKBMODE, &keyboard_mode) != 0)
+    if (control(fd.get(), KDGKBMODE, &keyboard_mode) != 0)
         return fail(Exit::no_display, "tty{}: {}", number, std::strerror(errno));
     // Left over from a program that died: not a state to return to.
     if (keyboard_mode == K_OFF) keyboard_mode = K_UNICODE;
@@ -36,11 +46,11 @@ Result<Console> Console::adopt(Fd fd) {
 }
 
 Result<Console> Console::open_active() {
-    TRY(const Fd any, Fd::open("/dev/tty0", O_RDWR | O_NOCTTY));
+    TRY(const Fd any, open_terminal_device("/dev/tty0"));
     vt_stat state{};
-    if (::ioctl(any.get(), VT_GETSTATE, &state) != 0)
+    if (control(any.get(), VT_GETSTATE, &state) != 0)
         return fail(Exit::no_display, "/dev/tty0: {}", std::strerror(errno));
-    TRY(Fd shown, Fd::open(fmt::format("/dev/tty{}", state.v_active), O_RDWR | O_NOCTTY));
+    TRY(Fd shown, open_terminal_device(fmt::format("/dev/tty{}", state.v_active)));
     return adopt(std::move(shown));
 }
 
@@ -56,12 +66,12 @@ Result<Console> Console::open_own() {
 
 bool Console::shown() const {
     vt_stat state{};
-    return ::ioctl(fd(), VT_GETSTATE, &state) == 0 && state.v_active == number_;
+    return control(fd(), VT_GETSTATE, &state) == 0 && state.v_active == number_;
 }
 
 bool Console::in_graphics_mode() const {
     int mode = KD_TEXT;
-    return ::ioctl(fd(), KDGETMODE, &mode) == 0 && mode == KD_GRAPHICS;
+    return control(fd(), KDGETMODE, &mode) == 0 && mode == KD_GRAPHICS;
 }
 
 Result<void> Console::refuse_if_drawn_on() const {
@@ -96,7 +106,7 @@ Result<void> Console::lock() {
 Result<void> Console::graphics() {
     // Remembered first: a signal between the two calls finds the way back too.
     remember_console(state());
-    if (::ioctl(fd(), KDSETMODE, KD_GRAPHICS) == 0) return {};
+    if (control(fd(), KDSETMODE, KD_GRAPHICS) == 0) return {};
     const int error = errno;
     forget_console();
     return fail(Exit::no_display, "tty{}: cannot enter graphics mode: {}", number_,
@@ -114,7 +124,7 @@ void Console::text_for_a_while() {
 }
 
 void Console::set_keyboard(bool on) {
-    ::ioctl(fd(), KDSKBMODE, on ? keyboard_mode_ : K_OFF);
+    control(fd(), KDSKBMODE, on ? keyboard_mode_ : K_OFF);
 }
 
 } // namespace scanout::console

@@ -1,6 +1,7 @@
 #include "platform/devices.h"
 
 #include "base/fd.h"
+#include "platform/device_calls.h"
 
 #include <drm.h>
 
@@ -9,7 +10,6 @@
 #include <fstream>
 
 #include <fcntl.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace scanout::console {
@@ -28,7 +28,7 @@ bool is_ours(const std::string& process) {
 } // namespace
 
 tl::expected<int, int> open_device_node(const std::string& path) {
-    const int fd = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    const int fd = device_calls().open(path.c_str(), O_RDWR | O_NONBLOCK | O_NOCTTY);
     if (fd < 0) return tl::unexpected<int>(errno);
     return fd;
 }
@@ -39,12 +39,12 @@ void Cards::opened(const std::string& path, int fd) {
 
 void Cards::set_master() const {
     for (const auto& [fd, path] : paths_)
-        ::ioctl(fd, DRM_IOCTL_SET_MASTER, 0);
+        control(fd, DRM_IOCTL_SET_MASTER, 0);
 }
 
 void Cards::drop_master() const {
     for (const auto& [fd, path] : paths_)
-        ::ioctl(fd, DRM_IOCTL_DROP_MASTER, 0);
+        control(fd, DRM_IOCTL_DROP_MASTER, 0);
 }
 
 bool has_another_master(const std::string& card) {
@@ -52,7 +52,7 @@ bool has_another_master(const std::string& card) {
     if (!opened) return false;
     const Fd fd(*opened);
     // The first to open a card without a master is its master, and then this succeeds.
-    return ::ioctl(fd.get(), DRM_IOCTL_SET_MASTER, 0) != 0;
+    return control(fd.get(), DRM_IOCTL_SET_MASTER, 0) != 0;
 }
 
 std::string card_with_another_master() {

@@ -1,11 +1,12 @@
 #include "platform/guard_watch.h"
 
+#include "platform/device_calls.h"
+
 #include <cerrno>
 
 #include <linux/kd.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -18,7 +19,7 @@ constexpr int kSoonMs = 50, kLateMs = 10'000;
 
 bool shows_text(int console) {
     int mode = KD_GRAPHICS;
-    return ::ioctl(console, KDGETMODE, &mode) == 0 && mode == KD_TEXT;
+    return control(console, KDGETMODE, &mode) == 0 && mode == KD_TEXT;
 }
 
 // -1 where there is no such process, or the kernel is older than 5.3: then the pipe tells.

@@ -1,5 +1,7 @@
 #include "platform/libinput.h"
 
+#include "platform/device_calls.h"
+
 #include <libevdev/libevdev.h>
 #include <libinput.h>
 #include <libudev.h>
@@ -11,7 +13,6 @@
 #include <filesystem>
 
 #include <linux/input.h>
-#include <sys/ioctl.h>
 #include <sys/stat.h>
 
 namespace scanout::console {
@@ -98,7 +99,7 @@ int Libinput::open_restricted(const std::string& path) {
     }
     // On a console of its own the viewer mutes the keyboard. Elsewhere each key would also reach
     // whoever reads the console on the screen.
-    if (!seat_.has_console() && ::ioctl(*fd, EVIOCGRAB, 1) != 0) {
+    if (!seat_.has_console() && control(*fd, EVIOCGRAB, 1) != 0) {
         refused_[path] = errno;
         seat_.close_device(*fd);
         return -refused_[path];

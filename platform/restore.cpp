@@ -1,5 +1,7 @@
 #include "platform/restore.h"
 
+#include "platform/device_calls.h"
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -12,7 +14,6 @@
 #include <linux/vt.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/ioctl.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -160,16 +161,16 @@ void restore_terminal(const TerminalState& state) {
 }
 
 void restore_modes(const ConsoleState& state) {
-    ::ioctl(state.fd, KDSKBMODE, state.keyboard_mode);
-    ::ioctl(state.fd, KDSETMODE, KD_GRAPHICS);
-    ::ioctl(state.fd, KDSETMODE, KD_TEXT);
+    control(state.fd, KDSKBMODE, state.keyboard_mode);
+    control(state.fd, KDSETMODE, KD_GRAPHICS);
+    control(state.fd, KDSETMODE, KD_TEXT);
 }
 
 void restore_switching(const ConsoleState& state) {
-    ::ioctl(state.fd, KDSKBMODE, state.keyboard_mode);
+    control(state.fd, KDSKBMODE, state.keyboard_mode);
     vt_mode automatic{};
     automatic.mode = VT_AUTO;
-    ::ioctl(state.fd, VT_SETMODE, &automatic);
+    control(state.fd, VT_SETMODE, &automatic);
 }
 
 void restore_console(const ConsoleState& state) {

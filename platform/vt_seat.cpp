@@ -1,5 +1,6 @@
 #include "platform/vt_seat.h"
 
+#include "platform/device_calls.h"
 #include "platform/devices.h"
 #include "platform/guard.h"
 
@@ -8,7 +9,6 @@
 
 #include <linux/vt.h>
 #include <signal.h>
-#include <sys/ioctl.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
 
@@ -39,7 +39,7 @@ public:
         mode.mode = VT_PROCESS;
         mode.relsig = static_cast<short>(release_signal());
         mode.acqsig = static_cast<short>(acquire_signal());
-        if (::ioctl(console_.fd(), VT_SETMODE, &mode) != 0)
+        if (control(console_.fd(), VT_SETMODE, &mode) != 0)
             return fail(Exit::no_display, "tty{}: cannot follow its switching: {}",
                         console_.number(), std::strerror(errno));
         console_.set_keyboard(keyboard_on_);
@@ -69,9 +69,9 @@ public:
         while (::read(signals_.get(), &info, sizeof info) == sizeof info) {
             if (static_cast<int>(info.ssi_signo) == release_signal()) {
                 release();
-                ::ioctl(console_.fd(), VT_RELDISP, 1);
+                control(console_.fd(), VT_RELDISP, 1);
             } else {
-                ::ioctl(console_.fd(), VT_RELDISP, VT_ACKACQ);
+                control(console_.fd(), VT_RELDISP, VT_ACKACQ);
                 acquire();
             }
         }
@@ -79,7 +79,7 @@ public:
     }
 
     Result<void> switch_session(int vt) override {
-        if (::ioctl(console_.fd(), VT_ACTIVATE, vt) != 0)
+        if (control(console_.fd(), VT_ACTIVATE, vt) != 0)
             return fail(Exit::no_display, "tty{}: {}", vt, std::strerror(errno));
         return {};
     }

@@ -1,5 +1,7 @@
 #include "platform/drm/kernel_device.h"
 
+#include "platform/device_calls.h"
+
 #include <drm.h>
 #include <xf86drm.h>
 
@@ -89,8 +91,8 @@ public:
         request.handle = buffer.handle;
         if (drmIoctl(fd(), DRM_IOCTL_MODE_MAP_DUMB, &request) != 0) return errno;
         // Only written: reading it back would be slow at best.
-        void* mapped = ::mmap(nullptr, buffer.size, PROT_WRITE, MAP_SHARED, fd(),
-                              static_cast<off_t>(request.offset));
+        void* mapped = console::device_calls().map(buffer.size, fd(),
+                                                   static_cast<std::int64_t>(request.offset));
         if (mapped == MAP_FAILED) return errno;
         memory = static_cast<std::uint8_t*>(mapped);
         return 0;

@@ -1,12 +1,12 @@
 #include "platform/linux-fb/device.h"
 
 #include "base/fd.h"
+#include "platform/device_calls.h"
 
 #include <cerrno>
 #include <cstring>
 
 #include <fcntl.h>
-#include <sys/ioctl.h>
 #include <sys/mman.h>
 
 namespace scanout::linux_fb {
@@ -25,7 +25,7 @@ public:
     Errno fixed(fb_fix_screeninfo& info) override { return request(FBIOGET_FSCREENINFO, &info); }
     Errno map(std::size_t size, std::uint8_t*& memory) override {
         // Only written: reading it back would be slow.
-        void* mapped = ::mmap(nullptr, size, PROT_WRITE, MAP_SHARED, fd_.get(), 0);
+        void* mapped = console::device_calls().map(size, fd_.get(), 0);
         if (mapped == MAP_FAILED) return errno;
         memory_ = mapped;
         size_ = size;
@@ -43,8 +43,9 @@ public:
     }
 
 private:
-    Errno request(unsigned long number, void* argument) const {
-        return ::ioctl(fd_.get(), number, argument) == 0 ? 0 : errno;
+    template <class T>
+    Errno request(unsigned long number, T* argument) const {
+        return console::control(fd_.get(), number, argument) == 0 ? 0 : errno;
     }
     static fb_cmap describe(ColorTable& table) {
         fb_cmap map{};
@@ -63,7 +64,7 @@ private:
 } // namespace
 
 Result<std::unique_ptr<Device>> open_device(const std::string& path) {
-    const int fd = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+    const int fd = console::device_calls().open(path.c_str(), O_RDWR);
     if (fd >= 0) return std::make_unique<FileDevice>(Fd(fd));
     const bool denied = errno == EACCES || errno == EPERM;
     return fail(Exit::no_display, "{}: {}{}", path, std::strerror(errno),
