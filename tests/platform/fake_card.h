@@ -9,6 +9,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -63,6 +64,7 @@ struct FakeCard {
     std::string failing;
     Errno error = EIO;
     int after = 0;
+    std::function<bool(const std::string&)> fails; // or what a whole machine says
     bool hold_events = false;
     std::uint32_t sequence_step = 0; // 0: a driver without a vertical blank
 
@@ -74,6 +76,7 @@ struct FakeCard {
         bool mapped = false;
     };
     std::map<std::uint32_t, Dumb> dumbs;
+    std::uint32_t handles = 0;
     std::map<std::uint32_t, std::uint32_t> framebuffers; // id -> handle
     CrtcState crtc{
         .framebuffer = 99, .x = 0, .y = 0, .mode_valid = true, .mode = mode_of(8, 4, 60)};
@@ -91,6 +94,7 @@ struct FakeCard {
     Errno call(const std::string& name) {
         check_front();
         calls.push_back(name);
+        if (fails && fails(name)) return error;
         return name == failing && counts[name]++ >= after ? error : 0;
     }
     bool everything_freed() const { return dumbs.empty() && framebuffers.empty() && devices == 0; }
@@ -150,7 +154,9 @@ public:
     ~FakeDevice() override { --card_.devices; }
 
     std::string driver() override { return "fake"; }
-    bool has_dumb_buffers() override { return card_.dumb_buffers; }
+    bool has_dumb_buffers() override {
+        return card_.call("has_dumb_buffers") == 0 && card_.dumb_buffers;
+    }
     Errno take_master() override { return card_.call("take_master"); }
     Errno connectors(std::vector<Connector>& connectors) override {
         if (const Errno error = card_.call("connectors"); error != 0) return error;
@@ -172,7 +178,7 @@ public:
     Errno create_dumb(int width, int height, int bits, DumbBuffer& buffer) override {
         if (const Errno error = card_.call("create_dumb"); error != 0) return error;
         if (card_.only_16_bits && bits != 16) return EINVAL;
-        const std::uint32_t handle = ++handles_;
+        const std::uint32_t handle = ++card_.handles;
         const std::uint32_t pitch = static_cast<std::uint32_t>(width * bits / 8) + card_.padding;
         buffer = {handle, pitch, std::uint64_t{pitch} * static_cast<std::uint64_t>(height)};
         card_.dumbs[handle] = {std::vector<std::uint8_t>(buffer.size), pitch, width, height,
@@ -224,7 +230,6 @@ public:
 
 private:
     FakeCard& card_;
-    std::uint32_t handles_ = 0;
 };
 
 } // namespace scanout::drm
