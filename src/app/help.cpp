@@ -35,6 +35,7 @@ constexpr std::string_view kOverview =
     "pixels\n"
     "  info MODEL         counts, size, surface, materials, textures found and missing\n"
     "  compare A B        compare two pictures, with two numbers as tolerance\n"
+    "  spectrum PICTURE   its Fourier transform as a picture, or the picture of a band of it\n"
     "  list WHAT          displays connectors modes techniques formats targets keys options "
     "renderers\n"
     "  restore            the console on the screen back to text, after a program that died\n"
@@ -48,13 +49,13 @@ constexpr std::string_view kOverview =
     "differ, 70 internal.\n";
 
 // Those of --help; the others stand in --help-all.
-constexpr std::array<std::string_view, 37> kEveryday = {
-    "output",  "format",     "hash",      "json",    "csv",       "html",       "size",
-    "samples", "background", "shading",   "texture", "shadow",    "light",      "view",
-    "camera",  "up",         "turntable", "budget",  "reference", "projection", "backend",
-    "device",  "mode",       "converge",  "replay",  "axis",      "seconds",    "quick",
-    "strict",  "fix",        "sarif",     "metric",  "max-diff",  "max-pixels", "verbose",
-    "quiet",   "heatmap"};
+constexpr auto kEveryday = std::to_array<std::string_view>(
+    {"output",  "format",     "hash",      "json",    "csv",       "html",       "size",
+     "samples", "background", "shading",   "texture", "shadow",    "light",      "view",
+     "camera",  "up",         "turntable", "budget",  "reference", "projection", "backend",
+     "device",  "mode",       "converge",  "replay",  "axis",      "seconds",    "quick",
+     "strict",  "fix",        "sarif",     "metric",  "max-diff",  "max-pixels", "verbose",
+     "quiet",   "heatmap",    "keep"});
 
 } // namespace
 
@@ -141,6 +142,18 @@ std::string_view introduction(Command command) {
                "\n"
                "Exit code 0: the same within the tolerance; 21: sizes differ; 22: pixels differ.\n"
                "Where they differ it writes got, expected and difference as PNG.\n";
+    case Command::spectrum:
+        return "scanout spectrum PICTURE -o FILE - the waves that a picture is the sum of\n"
+               "\n"
+               "  scanout spectrum photo.png -o spectrum.png\n"
+               "  scanout spectrum photo.png -o blurred.png --keep ..0.25\n"
+               "  scanout spectrum photo.png -o edges.png --keep 0.25..\n"
+               "\n"
+               "The two-dimensional Fourier transform of its luminance: zero frequency in the "
+               "middle,\n"
+               "grey the logarithm of a wave's strength. With --keep all other frequencies are "
+               "dropped,\n"
+               "and the picture is written back.\n";
     case Command::generate:
         return "scanout generate WHAT - write on standard output what a system installs\n"
                "\n"

@@ -412,6 +412,24 @@ Result<void> read_limit(Settings& s, std::string_view text) {
     return {};
 }
 
+Result<void> read_keep(Settings& s, std::string_view text) {
+    const std::size_t dots = text.find("..");
+    if (dots == std::string_view::npos || text.size() == 2)
+        return fail(Exit::usage, "wants LOW..HIGH, ..HIGH or LOW.. such as 0..0.5, not '{}'", text);
+    signal::Band band;
+    const std::string_view low = text.substr(0, dots), high = text.substr(dots + 2);
+    if (!low.empty()) {
+        TRY(band.low, parse_real(low));
+    }
+    if (!high.empty()) {
+        TRY(band.high, parse_real(high));
+    }
+    if (band.low < 0 || band.high < band.low)
+        return fail(Exit::usage, "goes up from 0, such as 0..0.5, not '{}'", text);
+    s.keep = band;
+    return {};
+}
+
 void choose_view(Settings& s, std::size_t index) {
     s.named_view = words_in(kViews)[index];
     const std::optional<scene::NamedView> view = scene::named_view(s.named_view);

@@ -20,10 +20,12 @@ constexpr unsigned kDoctor = static_cast<unsigned>(Command::doctor);
 constexpr unsigned kGenerate = static_cast<unsigned>(Command::generate);
 constexpr unsigned kInfo = static_cast<unsigned>(Command::info);
 constexpr unsigned kRestore = static_cast<unsigned>(Command::restore);
+constexpr unsigned kSpectrum = static_cast<unsigned>(Command::spectrum);
 constexpr unsigned kDraw = kView | kRender | kExplain | kFrontier;
 constexpr unsigned kLoad = kDraw | kDoctor; // what takes a model and a view of it
 constexpr unsigned kRead = kLoad | kInfo;   // what takes a model
-constexpr unsigned kAll = kRead | kCompare | kList | kGenerate | kRestore;
+constexpr unsigned kMake = kSpectrum;       // what makes a picture without a model
+constexpr unsigned kAll = kRead | kCompare | kList | kGenerate | kRestore | kMake;
 
 constexpr std::string_view kMetrics = "rmse rmse_codes psnr max flip ssim";
 
@@ -99,7 +101,10 @@ constexpr std::array kOptions = std::to_array<Option>({
      Text([](Settings& s) -> std::string& { return s.output; }),
      "where the picture goes; - is standard output; {n} in the name is its number, {name} the "
      "model's name: of several models each gets a file"},
-    {"format", 0, "", "png ppm pam raw apng y4m", "", 0, 0, Group::output, kRender,
+    {"output", 'o', "FILE", "", "", 0, 0, Group::output, kMake,
+     Text([](Settings& s) -> std::string& { return s.output; }),
+     "where the picture goes; - is standard output"},
+    {"format", 0, "", "png ppm pam raw apng y4m", "", 0, 0, Group::output, kRender | kMake,
      Choice([](Settings& s, std::size_t i) {
          constexpr std::array kFormats = {PictureFormat::png,  PictureFormat::ppm,
                                           PictureFormat::pam,  PictureFormat::raw,
@@ -436,7 +441,7 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"frames", 0, "N", "", "1", 1, 100000, Group::times, kRender,
      Integer([](Settings& s) -> int& { return s.frames; }),
      "draw each picture N times, for times in --json"},
-    {"threads", 't', "N", "", "0", 0, 256, Group::times, kRead,
+    {"threads", 't', "N", "", "0", 0, 256, Group::times, kRead | kMake,
      Integer([](Settings& s) -> int& { return s.threads; }),
      "threads that draw; 0 is one for each core; the picture is the same"},
     {"target", 0, "NAME", "", "auto", 0, 0, Group::times, kLoad, Parsed(read_target),
@@ -464,6 +469,12 @@ constexpr std::array kOptions = std::to_array<Option>({
      "write the error of each pixel as a picture: black is none, pale yellow 255 codes, each "
      "doubling of the error a step lighter; with --metric flip, FLIP from 0 to 1; with --metric "
      "ssim, 1 - SSIM from 0 to 1"},
+
+    {"keep", 0, "LOW..HIGH", "", "", 0, 0, Group::picture, kSpectrum, Parsed(read_keep),
+     "write the picture of these frequencies alone, as fractions of Nyquist's (half a wave a "
+     "pixel; "
+     "slanting waves have up to 1.42): ..0.25 blurs, 0.25.. leaves edges, around half the light of "
+     "white; default: draw the spectrum"},
 
     {"quick", 0, "", "", "", 0, 0, Group::examination, kDoctor,
      Switch([](Settings& s) -> bool& { return s.quick; }),

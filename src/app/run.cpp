@@ -32,6 +32,8 @@ Result<Exit> dispatch(const Settings& settings, std::uint64_t start_bytes) {
         return run_info(settings);
     case Command::compare:
         return run_compare(settings);
+    case Command::spectrum:
+        return run_spectrum(settings);
     case Command::generate:
         return run_generate(settings);
     case Command::restore:

@@ -7,6 +7,7 @@
 #include "measure/known_frontier.h"
 #include "scene/section.h"
 #include "scene/view.h"
+#include "signal/band.h"
 #include "textbook/methods.h"
 
 #include <array>
@@ -29,7 +30,8 @@ enum class Command : unsigned {
     doctor = 64,
     info = 128,
     generate = 256,
-    restore = 512
+    restore = 512,
+    spectrum = 1024
 };
 
 // In the order in which they are listed.
@@ -38,11 +40,12 @@ struct NamedCommand {
     Command command;
 };
 inline constexpr std::array kCommands = {
-    NamedCommand{"view", Command::view},       NamedCommand{"render", Command::render},
-    NamedCommand{"explain", Command::explain}, NamedCommand{"frontier", Command::frontier},
-    NamedCommand{"doctor", Command::doctor},   NamedCommand{"info", Command::info},
-    NamedCommand{"compare", Command::compare}, NamedCommand{"list", Command::list},
-    NamedCommand{"restore", Command::restore}, NamedCommand{"generate", Command::generate}};
+    NamedCommand{"view", Command::view},        NamedCommand{"render", Command::render},
+    NamedCommand{"explain", Command::explain},  NamedCommand{"frontier", Command::frontier},
+    NamedCommand{"doctor", Command::doctor},    NamedCommand{"info", Command::info},
+    NamedCommand{"compare", Command::compare},  NamedCommand{"spectrum", Command::spectrum},
+    NamedCommand{"list", Command::list},        NamedCommand{"restore", Command::restore},
+    NamedCommand{"generate", Command::generate}};
 
 // How a picture is written.
 enum class PictureFormat : std::uint8_t { by_name, png, ppm, pam, raw, apng, y4m };
@@ -167,6 +170,8 @@ struct Settings {
     Metric metric = Metric::none;
     std::optional<double> limit; // of the metric
     std::string heat_map;        // the file
+
+    std::optional<signal::Band> keep; // of spectrum; none: the spectrum itself is drawn
 };
 
 } // namespace scanout::app
