@@ -22,6 +22,8 @@ Result<Exit> run_doctor(const Settings& settings);
 Result<Exit> run_info(const Settings& settings);
 Result<Exit> run_compare(const Settings& settings);
 Result<Exit> run_spectrum(const Settings& settings);
+Result<Exit> run_colour(const Settings& settings);
+Result<Exit> run_synthesise(const Settings& settings);
 Result<Exit> run_list(const Settings& settings);
 Result<Exit> run_generate(const Settings& settings);
 Result<Exit> run_restore(const Settings& settings);

@@ -36,6 +36,8 @@ constexpr std::string_view kOverview =
     "  info MODEL         counts, size, surface, materials, textures found and missing\n"
     "  compare A B        compare two pictures, with two numbers as tolerance\n"
     "  spectrum PICTURE   its Fourier transform as a picture, or the picture of a band of it\n"
+    "  colour VALUE       a colour in every model, or a picture's channels in one (--channels)\n"
+    "  synthesise SAMPLE  a texture of any size that looks like the sample\n"
     "  list WHAT          displays connectors modes techniques formats targets keys options "
     "renderers\n"
     "  restore            the console on the screen back to text, after a program that died\n"
@@ -50,12 +52,12 @@ constexpr std::string_view kOverview =
 
 // Those of --help; the others stand in --help-all.
 constexpr auto kEveryday = std::to_array<std::string_view>(
-    {"output",  "format",     "hash",      "json",    "csv",       "html",       "size",
-     "samples", "background", "shading",   "texture", "shadow",    "light",      "view",
-     "camera",  "up",         "turntable", "budget",  "reference", "projection", "backend",
-     "device",  "mode",       "converge",  "replay",  "axis",      "seconds",    "quick",
-     "strict",  "fix",        "sarif",     "metric",  "max-diff",  "max-pixels", "verbose",
-     "quiet",   "heatmap",    "keep"});
+    {"output",  "format",     "hash",      "json",     "csv",       "html",       "size",
+     "samples", "background", "shading",   "texture",  "shadow",    "light",      "view",
+     "camera",  "up",         "turntable", "budget",   "reference", "projection", "backend",
+     "device",  "mode",       "converge",  "replay",   "axis",      "seconds",    "quick",
+     "strict",  "fix",        "sarif",     "metric",   "max-diff",  "max-pixels", "verbose",
+     "quiet",   "heatmap",    "keep",      "channels", "by",        "window",     "seed"});
 
 } // namespace
 
@@ -154,6 +156,29 @@ std::string_view introduction(Command command) {
                "grey the logarithm of a wave's strength. With --keep all other frequencies are "
                "dropped,\n"
                "and the picture is written back.\n";
+    case Command::colour:
+        return "scanout colour VALUE - one colour in every model of colour\n"
+               "\n"
+               "  scanout colour '#ff8000'\n"
+               "  scanout colour hsv:30,1,1\n"
+               "  scanout colour lab:67,43,74\n"
+               "  scanout colour photo.png --channels lab -o lab.png      L, a and b beside each "
+               "other\n"
+               "  scanout colour photo.png --channels ycbcr -o 'c-{n}.png'\n"
+               "\n"
+               "MODEL:A,B,C with rgb linear cmy hsv hsl ycbcr xyz lab, #rrggbb, or a name; each "
+               "line of\n"
+               "the answer can be asked for again.\n";
+    case Command::synthesise:
+        return "scanout synthesise SAMPLE -o FILE - more of a texture than there is\n"
+               "\n"
+               "  scanout synthesise bark.png -o more.png --size 512x512\n"
+               "  scanout synthesise bark.png -o other.png --seed 7 --window 48\n"
+               "  scanout synthesise sand.png -o sand-2.png --by pixel --size 128x128\n"
+               "\n"
+               "No pixel is new: patches, or pixels, of the sample are laid where they fit best "
+               "what is\n"
+               "there. The same sample, options and seed give the same bits.\n";
     case Command::generate:
         return "scanout generate WHAT - write on standard output what a system installs\n"
                "\n"

@@ -412,6 +412,12 @@ Result<void> read_limit(Settings& s, std::string_view text) {
     return {};
 }
 
+Result<void> read_made_size(Settings& s, std::string_view text) {
+    TRY(const Size size, parse_size(text));
+    s.made_size = {size.width, size.height};
+    return {};
+}
+
 Result<void> read_keep(Settings& s, std::string_view text) {
     const std::size_t dots = text.find("..");
     if (dots == std::string_view::npos || text.size() == 2)

@@ -48,6 +48,7 @@ Result<void> read_max_error(Settings& s, std::string_view text);
 Result<void> read_sheet(Settings& s, std::string_view text);
 Result<void> read_shard(Settings& s, std::string_view text);
 Result<void> read_limit(Settings& s, std::string_view text);
+Result<void> read_made_size(Settings& s, std::string_view text);
 Result<void> read_keep(Settings& s, std::string_view text);
 void choose_view(Settings& s, std::size_t index);
 

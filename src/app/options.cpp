@@ -3,6 +3,7 @@
 #include "app/nearest.h"
 #include "app/option_readers.h"
 #include "app/values.h"
+#include "image/colour_models.h"
 
 #include <algorithm>
 #include <array>
@@ -21,10 +22,12 @@ constexpr unsigned kGenerate = static_cast<unsigned>(Command::generate);
 constexpr unsigned kInfo = static_cast<unsigned>(Command::info);
 constexpr unsigned kRestore = static_cast<unsigned>(Command::restore);
 constexpr unsigned kSpectrum = static_cast<unsigned>(Command::spectrum);
+constexpr unsigned kColour = static_cast<unsigned>(Command::colour);
+constexpr unsigned kSynthesise = static_cast<unsigned>(Command::synthesise);
 constexpr unsigned kDraw = kView | kRender | kExplain | kFrontier;
-constexpr unsigned kLoad = kDraw | kDoctor; // what takes a model and a view of it
-constexpr unsigned kRead = kLoad | kInfo;   // what takes a model
-constexpr unsigned kMake = kSpectrum;       // what makes a picture without a model
+constexpr unsigned kLoad = kDraw | kDoctor;                   // what takes a model and a view of it
+constexpr unsigned kRead = kLoad | kInfo;                     // what takes a model
+constexpr unsigned kMake = kSpectrum | kColour | kSynthesise; // a picture without a model
 constexpr unsigned kAll = kRead | kCompare | kList | kGenerate | kRestore | kMake;
 
 constexpr std::string_view kMetrics = "rmse rmse_codes psnr max flip ssim";
@@ -441,7 +444,7 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"frames", 0, "N", "", "1", 1, 100000, Group::times, kRender,
      Integer([](Settings& s) -> int& { return s.frames; }),
      "draw each picture N times, for times in --json"},
-    {"threads", 't', "N", "", "0", 0, 256, Group::times, kRead | kMake,
+    {"threads", 't', "N", "", "0", 0, 256, Group::times, kRead | kSpectrum | kSynthesise,
      Integer([](Settings& s) -> int& { return s.threads; }),
      "threads that draw; 0 is one for each core; the picture is the same"},
     {"target", 0, "NAME", "", "auto", 0, 0, Group::times, kLoad, Parsed(read_target),
@@ -475,6 +478,26 @@ constexpr std::array kOptions = std::to_array<Option>({
      "pixel; "
      "slanting waves have up to 1.42): ..0.25 blurs, 0.25.. leaves edges, around half the light of "
      "white; default: draw the spectrum"},
+    {"channels", 0, "", image::kColourModelNames, "", 0, 0, Group::picture, kColour,
+     Choice([](Settings& s, std::size_t i) { s.channels = image::colour_models()[i].name; }),
+     "draw the channels that a picture has in this model, black to white: beside each other, or to "
+     "a file each where -o has {n}"},
+    {"by", 0, "", "patch pixel", "patch", 0, 0, Group::picture, kSynthesise,
+     Choice([](Settings& s, std::size_t i) {
+         constexpr std::array kWays = {signal::SynthesisBy::patch, signal::SynthesisBy::pixel};
+         s.synthesis.by = kWays[i];
+     }),
+     "patch: squares of the sample, cut where they differ least; pixel: one pixel at a time, far "
+     "slower"},
+    {"window", 0, "N", "", "", signal::kLeastWindow, frame::kMaxSide, Group::picture, kSynthesise,
+     Integer([](Settings& s) -> int& { return s.synthesis.window; }),
+     "pixels a side of what has to fit: a patch (default: a quarter of the sample), or what is "
+     "around a pixel (odd; default 11); as large as the largest part that repeats"},
+    {"size", 's', "WxH", "", "", 0, 0, Group::picture, kSynthesise, Parsed(read_made_size),
+     "pixels of the picture; default: twice the sample's"},
+    {"seed", 0, "N", "", "1", 0, 1e15, Group::picture, kSynthesise,
+     BigInteger([](Settings& s) -> std::int64_t& { return s.seed; }),
+     "another number, another picture; the same number, the same bits"},
 
     {"quick", 0, "", "", "", 0, 0, Group::examination, kDoctor,
      Switch([](Settings& s) -> bool& { return s.quick; }),

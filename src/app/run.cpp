@@ -34,6 +34,10 @@ Result<Exit> dispatch(const Settings& settings, std::uint64_t start_bytes) {
         return run_compare(settings);
     case Command::spectrum:
         return run_spectrum(settings);
+    case Command::colour:
+        return run_colour(settings);
+    case Command::synthesise:
+        return run_synthesise(settings);
     case Command::generate:
         return run_generate(settings);
     case Command::restore:

@@ -8,6 +8,7 @@
 #include "scene/section.h"
 #include "scene/view.h"
 #include "signal/band.h"
+#include "signal/synthesis.h"
 #include "textbook/methods.h"
 
 #include <array>
@@ -16,6 +17,8 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace scanout::app {
@@ -31,7 +34,9 @@ enum class Command : unsigned {
     info = 128,
     generate = 256,
     restore = 512,
-    spectrum = 1024
+    spectrum = 1024,
+    colour = 2048,
+    synthesise = 4096
 };
 
 // In the order in which they are listed.
@@ -44,6 +49,7 @@ inline constexpr std::array kCommands = {
     NamedCommand{"explain", Command::explain},  NamedCommand{"frontier", Command::frontier},
     NamedCommand{"doctor", Command::doctor},    NamedCommand{"info", Command::info},
     NamedCommand{"compare", Command::compare},  NamedCommand{"spectrum", Command::spectrum},
+    NamedCommand{"colour", Command::colour},    NamedCommand{"synthesise", Command::synthesise},
     NamedCommand{"list", Command::list},        NamedCommand{"restore", Command::restore},
     NamedCommand{"generate", Command::generate}};
 
@@ -172,6 +178,10 @@ struct Settings {
     std::string heat_map;        // the file
 
     std::optional<signal::Band> keep; // of spectrum; none: the spectrum itself is drawn
+    std::string_view channels;        // of colour: a model's name; empty: a colour is asked for
+    signal::Synthesis synthesis;      // but for its size and seed
+    std::optional<std::pair<int, int>> made_size; // width and height of what is made
+    std::int64_t seed = 1;
 };
 
 } // namespace scanout::app

@@ -28,8 +28,9 @@ TEST_F(Program, AnOutputThatTakesNoMoreIsNoMistakeOfTheProgram) {
 TEST_F(Program, HelpAndVersionGoToStandardOutput) {
     EXPECT_NE(run("--help").out.find("scanout render"), std::string::npos);
     EXPECT_NE(run("--version").out.find("scanout "), std::string::npos);
-    for (const char* command : {"view", "render", "explain", "frontier", "doctor", "info",
-                                "compare", "spectrum", "list", "generate"}) {
+    for (const char* command :
+         {"view", "render", "explain", "frontier", "doctor", "info", "compare", "spectrum",
+          "colour", "synthesise", "list", "generate"}) {
         const Outcome outcome = run(std::string(command) + " --help");
         EXPECT_EQ(outcome.code, 0);
         EXPECT_EQ(outcome.err, "");

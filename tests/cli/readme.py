@@ -38,7 +38,7 @@ def as_run_here(command):
         return None
     if not run or (before and not before.startswith("SCANOUT_OPTIONS=")):
         return None
-    if words[1] not in ("render", "explain", "frontier", "doctor", "info", "compare", "spectrum", "list", "generate", "help",
+    if words[1] not in ("render", "explain", "frontier", "doctor", "info", "compare", "spectrum", "colour", "synthesise", "list", "generate", "help",
                         "version") and "--backend" not in words:
         rest += " --backend headless --replay quit.actions"
     return f"{before}'{SCANOUT}' {rest}"
