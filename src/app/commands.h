@@ -30,6 +30,6 @@ Result<Exit> run_restore(const Settings& settings);
 
 // What `list` and `generate` can be asked for, with spaces between the words.
 std::string list_topics();
-std::string generated_documents();
+std::string generated_words();
 
 } // namespace scanout::app

@@ -129,7 +129,7 @@ std::string bash_completions() {
             "        words=${_scanout_options[$command]}\n";
     text += fmt::format("    elif [[ $command == list ]]; then\n        words='{}'\n"
                         "    elif [[ $command == generate ]]; then\n        words='{}'\n    fi\n",
-                        list_topics(), generated_documents());
+                        list_topics(), generated_words());
     text += "    COMPREPLY=()\n"
             "    case $words in\n"
             "    @files) mapfile -t COMPREPLY < <(compgen -f -- \"$word\") ;;\n"
@@ -167,7 +167,7 @@ std::string zsh_completions() {
                 "            '(- *)--help-all[explain all options]' \\\n";
         const std::string files =
             row.command == Command::list       ? fmt::format("what:({})", list_topics())
-            : row.command == Command::generate ? fmt::format("what:({})", generated_documents())
+            : row.command == Command::generate ? fmt::format("what:({})", generated_words())
                                                : "file:_files";
         text += fmt::format("            '*:{}' ;;\n", files);
     }
@@ -195,7 +195,7 @@ std::string fish_completions() {
             "complete -c scanout -l help-all -d 'explain all options'\n";
     return text + fmt::format("complete -c scanout -n '__scanout_is list' -f -a '{}'\n"
                               "complete -c scanout -n '__scanout_is generate' -f -a '{}'\n",
-                              list_topics(), generated_documents());
+                              list_topics(), generated_words());
 }
 
 } // namespace scanout::app

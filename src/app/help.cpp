@@ -41,7 +41,9 @@ constexpr std::string_view kOverview =
     "  list WHAT          displays connectors modes techniques formats targets keys options "
     "renderers\n"
     "  restore            the console on the screen back to text, after a program that died\n"
-    "  generate WHAT      a manual page, or completions for a shell: man bash zsh fish\n"
+    "  generate WHAT      a zone plate, terrain, fractals, as pictures or models; the manual "
+    "page,\n"
+    "                     completions: man bash zsh fish\n"
     "\n"
     "  scanout COMMAND --help explains a command, --help-all all its options; scanout --version\n"
     "  prints the version. Options for every run: ~/.config/scanout/options, SCANOUT_OPTIONS.\n"
@@ -57,7 +59,8 @@ constexpr auto kEveryday = std::to_array<std::string_view>(
      "camera",  "up",         "turntable", "budget",   "reference", "projection", "backend",
      "device",  "mode",       "converge",  "replay",   "axis",      "seconds",    "quick",
      "strict",  "fix",        "sarif",     "metric",   "max-diff",  "max-pixels", "verbose",
-     "quiet",   "heatmap",    "keep",      "channels", "by",        "window",     "seed"});
+     "quiet",   "heatmap",    "keep",      "channels", "by",        "window",     "seed",
+     "detail"});
 
 } // namespace
 
@@ -180,12 +183,22 @@ std::string_view introduction(Command command) {
                "what is\n"
                "there. The same sample, options and seed give the same bits.\n";
     case Command::generate:
-        return "scanout generate WHAT - write on standard output what a system installs\n"
+        return "scanout generate WHAT - pictures and models by a formula; what a system installs\n"
                "\n"
-               "  scanout generate man > scanout.1           the manual page\n"
-               "  source <(scanout generate bash)            completions in this bash\n"
-               "  scanout generate zsh > ~/.zfunc/_scanout   where fpath has ~/.zfunc\n"
-               "  scanout generate fish > ~/.config/fish/completions/scanout.fish\n";
+               "  scanout generate zone_plate -o zone_plate.obj    what shows aliasing: also "
+               "checker\n"
+               "  scanout generate terrain -o hills.obj --size 1025x513 --seed 7\n"
+               "  scanout generate mandelbrot -o m.png --size 1920x1080 --detail 1000\n"
+               "  scanout generate koch -o koch.png                also fern, sierpinski, dragon\n"
+               "  scanout generate man > scanout.1                 the manual page\n"
+               "  source <(scanout generate bash)                  completions in this bash\n"
+               "  scanout generate zsh > ~/.zfunc/_scanout         where fpath has ~/.zfunc\n"
+               "  scanout generate fish > ~/.config/fish/completions/scanout.fish\n"
+               "\n"
+               "Every formula gives a picture, a texture, or, where the name ends in .obj, a "
+               "model, "
+               "of any\n"
+               "size; the same numbers give the same bits.\n";
     case Command::restore:
         return "scanout restore - a text console again, after a program that died on it\n"
                "\n"

@@ -104,11 +104,11 @@ constexpr std::array kOptions = std::to_array<Option>({
      Text([](Settings& s) -> std::string& { return s.output; }),
      "where the picture goes; - is standard output; {n} in the name is its number, {name} the "
      "model's name: of several models each gets a file"},
-    {"output", 'o', "FILE", "", "", 0, 0, Group::output, kMake,
+    {"output", 'o', "FILE", "", "", 0, 0, Group::output, kMake | kGenerate,
      Text([](Settings& s) -> std::string& { return s.output; }),
-     "where the picture goes; - is standard output"},
-    {"format", 0, "", "png ppm pam raw apng y4m", "", 0, 0, Group::output, kRender | kMake,
-     Choice([](Settings& s, std::size_t i) {
+     "where it goes; - is standard output; generate writes a model where the name ends in .obj"},
+    {"format", 0, "", "png ppm pam raw apng y4m", "", 0, 0, Group::output,
+     kRender | kMake | kGenerate, Choice([](Settings& s, std::size_t i) {
          constexpr std::array kFormats = {PictureFormat::png,  PictureFormat::ppm,
                                           PictureFormat::pam,  PictureFormat::raw,
                                           PictureFormat::apng, PictureFormat::y4m};
@@ -444,7 +444,7 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"frames", 0, "N", "", "1", 1, 100000, Group::times, kRender,
      Integer([](Settings& s) -> int& { return s.frames; }),
      "draw each picture N times, for times in --json"},
-    {"threads", 't', "N", "", "0", 0, 256, Group::times, kRead | kSpectrum | kSynthesise,
+    {"threads", 't', "N", "", "0", 0, 256, Group::times, kRead | kMake | kGenerate,
      Integer([](Settings& s) -> int& { return s.threads; }),
      "threads that draw; 0 is one for each core; the picture is the same"},
     {"target", 0, "NAME", "", "auto", 0, 0, Group::times, kLoad, Parsed(read_target),
@@ -493,9 +493,21 @@ constexpr std::array kOptions = std::to_array<Option>({
      Integer([](Settings& s) -> int& { return s.synthesis.window; }),
      "pixels a side of what has to fit: a patch (default: a quarter of the sample), or what is "
      "around a pixel (odd; default 11); as large as the largest part that repeats"},
-    {"size", 's', "WxH", "", "", 0, 0, Group::picture, kSynthesise, Parsed(read_made_size),
-     "pixels of the picture; default: twice the sample's"},
-    {"seed", 0, "N", "", "1", 0, 1e15, Group::picture, kSynthesise,
+    {"size", 's', "WxH", "", "", 0, 0, Group::picture, kSynthesise | kGenerate,
+     Parsed(read_made_size),
+     "pixels of the picture; of a model of terrain or mandelbrot, vertices along x and z; default: "
+     "twice the sample's, 512x512, 257x257"},
+    {"detail", 0, "N", "", "", 0, 100000, Group::picture, kGenerate,
+     Parsed([](Settings& s, std::string_view text) -> Result<void> {
+         TRY(const std::int64_t detail, parse_integer(text));
+         if (detail < 0 || detail > 100000)
+             return fail(Exit::usage, "must be 0 to 100000, not {}", detail);
+         s.detail = static_cast<int>(detail);
+         return {};
+     }),
+     "how fine: rings of zone_plate, squares a side of checker, octaves of terrain, iterations of "
+     "mandelbrot, recursions of koch, thousand points of fern, sierpinski and dragon"},
+    {"seed", 0, "N", "", "1", 0, 1e15, Group::picture, kSynthesise | kGenerate,
      BigInteger([](Settings& s) -> std::int64_t& { return s.seed; }),
      "another number, another picture; the same number, the same bits"},
 

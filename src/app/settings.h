@@ -182,6 +182,7 @@ struct Settings {
     signal::Synthesis synthesis;      // but for its size and seed
     std::optional<std::pair<int, int>> made_size; // width and height of what is made
     std::int64_t seed = 1;
+    std::optional<int> detail; // of generate; none: what the formula takes
 };
 
 } // namespace scanout::app
