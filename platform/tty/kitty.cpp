@@ -1,5 +1,6 @@
 #include "platform/tty/kitty.h"
 
+#include "base/base64.h"
 #include "base/check.h"
 #include "platform/tty/answers.h"
 
@@ -82,22 +83,6 @@ std::string sent(const image::Image& image, const std::string& keys, bool tmux) 
 }
 
 } // namespace
-
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view kDigits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t here = std::min<std::size_t>(bytes.size() - i, 3);
-        std::uint32_t three = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            three = three << 8 | (k < here ? static_cast<std::uint8_t>(bytes[i + k]) : 0U);
-        for (std::size_t k = 0; k < 4; ++k)
-            out += k <= here ? kDigits[three >> (18 - 6 * k) & 63] : '=';
-    }
-    return out;
-}
 
 std::string kitty_picture(const image::Image& image, unsigned id, int columns, int rows) {
     const std::string cells = columns > 0 ? fmt::format(",c={},r={}", columns, rows) : "";

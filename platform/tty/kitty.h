@@ -22,6 +22,4 @@ std::string kitty_placeholders(const image::Image& image, unsigned id, int colum
 // Takes it off the screen and out of the terminal's memory. Nothing is answered.
 std::string kitty_delete(unsigned id);
 
-std::string base64(std::string_view bytes);
-
 } // namespace scanout::tty

@@ -3,6 +3,7 @@
 #include "app/frontier_files.h"
 #include "app/frontier_pictures.h"
 #include "app/markup.h"
+#include "base/base64.h"
 #include "image/codec.h"
 
 #include <fmt/format.h>

@@ -13,21 +13,6 @@ namespace {
 
 using testing::HasSubstr;
 
-// RFC 4648, section 10.
-TEST(Markup, Base64IsThatOfItsStandard) {
-    const auto of = [](std::string_view text) {
-        return base64({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-    };
-    EXPECT_EQ(of(""), "");
-    EXPECT_EQ(of("f"), "Zg==");
-    EXPECT_EQ(of("fo"), "Zm8=");
-    EXPECT_EQ(of("foo"), "Zm9v");
-    EXPECT_EQ(of("foob"), "Zm9vYg==");
-    EXPECT_EQ(of("fooba"), "Zm9vYmE=");
-    EXPECT_EQ(of("foobar"), "Zm9vYmFy");
-    EXPECT_EQ(of("\xff\xfe\xfd"), "//79");
-}
-
 TEST(Markup, NoNameOfAFileIsATag) {
     EXPECT_EQ(as_markup("a<b>&\"c\".obj"), "a&lt;b&gt;&amp;&quot;c&quot;.obj");
     EXPECT_EQ(as_markup("bell\a"), "bell\\x07");

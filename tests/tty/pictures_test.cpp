@@ -13,15 +13,6 @@ namespace {
 
 using image::Image;
 
-TEST(Base64, IsThatOfRfc4648) {
-    EXPECT_EQ(base64(""), "");
-    EXPECT_EQ(base64("f"), "Zg==");
-    EXPECT_EQ(base64("fo"), "Zm8=");
-    EXPECT_EQ(base64("foo"), "Zm9v");
-    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-    EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
-}
-
 TEST(Sixel, IsOneSequenceOfTheStandard) {
     Image image(4, 7, {255, 0, 0, 255});
     image.at(2, 6) = {0, 0, 255, 255};
