@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace scanout::scene {
@@ -14,30 +15,31 @@ namespace {
 constexpr double kMinGap = 0.25; // bounding radii between the eye and the nearest vertex
 constexpr int kMaxTurns = 16;    // what lies between two of them stays inside of the margin
 
-// The vertices in view axes, about the model's centre; unit = bounding radius.
+// A model as a fit sees it: turned, and its scales' ratios, but not its size.
+DMat3 shape_in(const DMat3& to_view, const ModelTransform& model) {
+    double largest = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        largest = std::max(largest, std::abs(model.scale[axis]));
+    const DVec3 s = largest > 0 && std::isfinite(largest) ? model.scale / largest : DVec3(1);
+    DMat3 placed = rotation_xyz(model.rotate_degrees) * scaling(s);
+    if (!model.steps.empty()) {
+        for (const TransformStep& step : model.steps)
+            placed = step.linear * placed;
+        const double most = stretch_of(placed).most;
+        if (most > 0 && std::isfinite(most)) placed = placed / most;
+    }
+    return turned(to_view, model) * placed;
+}
+
+DMat3 to_view(const CameraOptions& camera) {
+    return rotation_x(camera.elevation_degrees) * rotation_y(-camera.azimuth_degrees);
+}
+
+// The vertices in view axes, about the model's centre, in each pose; unit = bounding radius.
 class Vertices {
 public:
-    Vertices(const geom::Mesh& mesh, const ModelTransform& model, const CameraOptions& camera,
-             int turns)
-        : mesh_(mesh) {
-        double largest = 0;
-        for (int axis = 0; axis < 3; ++axis)
-            largest = std::max(largest, std::abs(model.scale[axis]));
-        const DVec3 s = largest > 0 && std::isfinite(largest) ? model.scale / largest : DVec3(1);
-        DMat3 placed = rotation_xyz(model.rotate_degrees) * scaling(s);
-        if (!model.steps.empty()) {
-            for (const TransformStep& step : model.steps)
-                placed = step.linear * placed;
-            const double most = stretch_of(placed).most;
-            if (most > 0 && std::isfinite(most)) placed = placed / most;
-        }
-        const DMat3 to_view =
-            rotation_x(camera.elevation_degrees) * rotation_y(-camera.azimuth_degrees);
-        turns = std::clamp(turns, 1, kMaxTurns);
-        for (int i = 0; i < turns; ++i)
-            linear_.push_back(to_view * rotation_y(360.0 * i / turns) * placed *
-                              up_rotation(camera.up) * (1 / mesh.radius));
-    }
+    explicit Vertices(const geom::Mesh& mesh) : mesh_(mesh) {}
+    void add_pose(const DMat3& linear) { linear_.push_back(linear); }
 
     template <class Visit>
     void each(Visit visit) const {
@@ -102,12 +104,8 @@ double centred(const Vertices& vertices, int axis, double eye, double shift) {
 
 } // namespace
 
-CameraOptions fitted(const geom::Mesh& mesh, const ModelTransform& model,
-                     const CameraOptions& camera, double aspect, int turns) {
-    if (camera.distance != 0 || camera.eye || camera.target || mesh.position.empty() ||
-        !(camera.fov_degrees > 0) || !(camera.fov_degrees < 180))
-        return camera;
-    const Vertices vertices(mesh, model, camera, turns);
+// The camera for these poses; its angles are in them.
+static CameraOptions fitted(const Vertices& vertices, const CameraOptions& camera, double aspect) {
     const bool perspective = camera.projection == Projection::perspective;
     const double half_fov = camera.fov_degrees / 2;
     const double tangent = sin_degrees(half_fov) / cos_degrees(half_fov) * kFitFill;
@@ -128,6 +126,44 @@ CameraOptions fitted(const geom::Mesh& mesh, const ModelTransform& model,
         if (perspective) fit.shift[axis] = centred(vertices, axis, fit.distance, fit.shift[axis]);
     }
     if (!std::isfinite(fit.distance) || !(fit.distance > 0)) return camera;
+    return fit;
+}
+
+static bool can_fit(const geom::Mesh& mesh, const CameraOptions& camera) {
+    return camera.distance == 0 && !camera.eye && !camera.target && !mesh.position.empty() &&
+           camera.fov_degrees > 0 && camera.fov_degrees < 180;
+}
+
+CameraOptions fitted(const geom::Mesh& mesh, const ModelTransform& model,
+                     const CameraOptions& camera, double aspect, int turns) {
+    if (!can_fit(mesh, camera)) return camera;
+    Vertices vertices(mesh);
+    turns = std::clamp(turns, 1, kMaxTurns);
+    for (int i = 0; i < turns; ++i)
+        vertices.add_pose(shape_in(to_view(camera) * rotation_y(360.0 * i / turns), model) *
+                          up_rotation(camera.up) * (1 / mesh.radius));
+    return fitted(vertices, camera, aspect);
+}
+
+CameraOptions fitted(const geom::Mesh& mesh, const ModelTransform& model,
+                     const CameraOptions& camera, double aspect, const Motion& motion) {
+    const auto at = [&](int moment) {
+        std::pair now(model, camera);
+        motion.move(motion.duration * moment / kMaxTurns, now.first, now.second);
+        return now;
+    };
+    const CameraOptions first = at(0).second;
+    if (!can_fit(mesh, first)) return camera;
+    Vertices vertices(mesh);
+    for (int i = 0; i < kMaxTurns; ++i) {
+        const auto now = at(i);
+        vertices.add_pose(shape_in(to_view(now.second), now.first) * up_rotation(camera.up) *
+                          (1 / mesh.radius));
+    }
+    CameraOptions fit = camera;
+    fit.fov_degrees = first.fov_degrees;
+    fit = fitted(vertices, fit, aspect);
+    fit.fov_degrees = camera.fov_degrees;
     return fit;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geom/mesh.h"
+#include "scene/motion/motion.h"
 #include "scene/view.h"
 
 namespace scanout::scene {
@@ -18,5 +19,9 @@ inline constexpr double kFitFill = 0.9;
 // when it is turned about the vertical axis by that many even parts of a full turn.
 CameraOptions fitted(const geom::Mesh& mesh, const ModelTransform& model,
                      const CameraOptions& camera, double aspect, int turns = 1);
+// The same for all of a motion, by sixteen moments of it. The camera is at rest: the motion moves
+// it on. Unchanged also where the motion itself says a distance or a place of the eye.
+CameraOptions fitted(const geom::Mesh& mesh, const ModelTransform& model,
+                     const CameraOptions& camera, double aspect, const Motion& motion);
 
 } // namespace scanout::scene

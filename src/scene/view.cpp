@@ -205,6 +205,10 @@ DMat3 up_rotation(UpAxis up) {
     return DMat3(1);
 }
 
+DMat3 turned(const DMat3& to_view, const ModelTransform& model) {
+    return model.turn ? to_view * *model.turn : to_view;
+}
+
 DVec3 radii_from_centre(const geom::Mesh& mesh, const DVec3& file) {
     DVec3 normalised = file - mesh.centre;
     for (int axis = 0; axis < 3; ++axis)
@@ -278,7 +282,7 @@ Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, cons
                         rotation_y(units_to_degrees(pose.yaw));
     const DVec3 shift(camera.shift.x, camera.shift.y, 0);
     View view;
-    view.linear = posed * placed.linear * up * (zoom_scale(pose.zoom) / mesh.radius);
+    view.linear = turned(posed, model) * placed.linear * up * (zoom_scale(pose.zoom) / mesh.radius);
     view.translation =
         rotation * (placed.offset - stand.target) + pan_of(pose.pan_x, pose.pan_y, pose.pan_z) -
         pan_of(orbit.pan_x, orbit.pan_y, orbit.pan_z) - shift - DVec3(0, 0, distance);

@@ -27,7 +27,11 @@ struct ModelTransform {
     DVec3 rotate_degrees{0};
     DVec3 translate{0}; // bounding radii
     std::vector<TransformStep> steps;
+    // By which a motion has turned it, after all of these, about its centre and the world's axes.
+    std::optional<DMat3> turn = std::nullopt;
 };
+// to_view * turn, to be followed by the rest: a model turned by hand is multiplied in this order.
+DMat3 turned(const DMat3& to_view, const ModelTransform& model);
 
 // Of the picture's sides, --fov's: its height, its width, or both, whatever the shape of pixels.
 enum class ScreenFit : std::uint8_t { height, width, stretch };
