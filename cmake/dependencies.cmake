@@ -18,6 +18,7 @@ pkg_check_modules(DRACO REQUIRED IMPORTED_TARGET draco)          # libdraco-dev
 if(SCANOUT_PROGRAM)
   find_package(CLI11 CONFIG REQUIRED)         # libcli11-dev
   find_package(nlohmann_json CONFIG REQUIRED) # nlohmann-json3-dev
+  find_package(tomlplusplus 3 CONFIG REQUIRED) # libtomlplusplus-dev
   find_package(embree 3 CONFIG REQUIRED)      # libembree-dev
   pkg_check_modules(XKB REQUIRED IMPORTED_TARGET xkbcommon)     # libxkbcommon-dev
   if(SCANOUT_DISPLAYS)

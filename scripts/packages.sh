@@ -12,7 +12,8 @@ libraries_test=(libgtest-dev libgmock-dev librapidcheck-dev libmpfr-dev libgmp-d
 
 # Without displays (SCANOUT_DISPLAYS=OFF).
 packages_headless=(
-    g++ cmake ninja-build pkg-config "${libraries_core[@]}" libcli11-dev nlohmann-json3-dev libembree-dev libxkbcommon-dev
+    g++ cmake ninja-build pkg-config "${libraries_core[@]}" libcli11-dev nlohmann-json3-dev libtomlplusplus-dev
+    libembree-dev libxkbcommon-dev
 )
 packages_build=(
     "${packages_headless[@]}" libdrm-dev libseat-dev libinput-dev libudev-dev libevdev-dev

@@ -4,6 +4,8 @@
 #include "app/files.h"
 #include "app/message.h"
 #include "app/model_file.h"
+#include "app/moving/moment.h"
+#include "app/moving/motion_file.h"
 #include "app/progress_bar.h"
 #include "app/report.h"
 #include "base/check.h"
@@ -27,13 +29,13 @@ Result<void> check_explain(const Settings& s) {
 
 } // namespace
 
-Result<Exit> run_explain(const Settings& settings) {
-    TRY_VOID(check_explain(settings));
+Result<Exit> run_explain(const Settings& given) {
+    TRY_VOID(check_explain(given));
+    Settings settings = given;
+    TRY_VOID(read_motion(settings));
     Jobs jobs(settings.threads);
     TRY(LoadedModel model, load_model_with_messages(settings.arguments.front(), settings, jobs));
-    TRY(const scene::View view,
-        scene::make_view(model.scene.mesh, settings.model, {}, fitted_camera_of(settings, model),
-                         {}, settings.frame.width, settings.frame.height));
+    TRY(const scene::View view, view_at_time(settings, model));
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
     std::optional<ProgressBar> bar(std::in_place, "explaining " + model.scene.path, settings.quiet);
     measure::ExplainOptions how;

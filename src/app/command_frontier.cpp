@@ -8,6 +8,8 @@
 #include "app/machine.h"
 #include "app/message.h"
 #include "app/model_file.h"
+#include "app/moving/moment.h"
+#include "app/moving/motion_file.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
 #include "app/quick.h"
@@ -199,13 +201,12 @@ Settings with_what_axes_ask(Settings s) {
 
 Result<Exit> run_frontier(const Settings& asked) {
     TRY_VOID(check_frontier(asked));
-    const Settings settings = with_what_axes_ask(asked);
+    Settings settings = with_what_axes_ask(asked);
+    TRY_VOID(read_motion(settings));
     Jobs jobs(settings.threads);
     TRY(const LoadedModel model,
         load_model_with_messages(settings.arguments.front(), settings, jobs));
-    TRY(const scene::View view,
-        scene::make_view(model.scene.mesh, settings.model, {}, fitted_camera_of(settings, model),
-                         {}, settings.frame.width, settings.frame.height));
+    TRY(const scene::View view, view_at_time(settings, model));
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
     TRY(const FrontierReport report, FrontierRun(settings, model, view, jobs).measured());
     const std::vector<std::string> outputs = outputs_of(settings);

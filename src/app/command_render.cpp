@@ -5,6 +5,8 @@
 #include "app/message.h"
 #include "app/model_arguments.h"
 #include "app/model_file.h"
+#include "app/moving/moment.h"
+#include "app/moving/motion_file.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
 #include "app/render_run.h"
@@ -42,10 +44,11 @@ Result<void> check_pair(const Settings& s) {
     if (s.arguments.size() != 2)
         return fail(Exit::usage, "--pair draws two models, not {}", s.arguments.size());
     const scene::ModelTransform& m = s.model;
-    if (s.turntable > 1 || m.scale != DVec3(1) || m.rotate_degrees != DVec3(0) ||
+    if (s.turntable > 1 || s.motion || m.scale != DVec3(1) || m.rotate_degrees != DVec3(0) ||
         m.translate != DVec3(0) || !m.steps.empty())
-        return fail(Exit::usage, "--pair draws models where they lie in their files: leave "
-                                 "--turntable and transforms (--scale, --rotate ...) out");
+        return fail(Exit::usage,
+                    "--pair draws models where they lie in their files: leave "
+                    "--turntable, --motion and transforms (--scale, --rotate ...) out");
     if (s.limits.any())
         return fail(Exit::usage, "--pair draws both with the same rungs: name them in place of {}",
                     s.limits.wall_ms ? "--budget" : "--max-error");
@@ -93,11 +96,10 @@ Result<PictureFormat> check_render(const Settings& s) {
             return fail(Exit::usage,
                         "several pictures in one stream: say --format y4m, apng, ppm, pam or raw");
     } else if (pictures(s) > 1 && !has_number(s.output) && !in_one_file(s, format)) {
-        return fail(
-            Exit::usage,
-            "{}: {} pictures want {{n}} in the name, as in turn-{{n}}.png; or an animation, "
-            "as in turn.apng",
-            s.output, pictures(s));
+        return fail(Exit::usage,
+                    "{}: {} pictures want {{{}}} in the name, as in turn-{{{}}}.png; or an "
+                    "animation, as in turn.apng",
+                    s.output, pictures(s), s.range ? "frame" : "n", s.range ? "frame" : "n");
     }
     return format;
 }
@@ -108,7 +110,7 @@ Result<void> check_files(const Settings& s, PictureFormat format) {
     for (int index = 0; index < files; ++index) { // whose names differ from each other
         std::vector<std::string> outputs = {s.json.value_or("")};
         for (const std::string& model : s.arguments)
-            outputs.push_back(numbered(named(s.output, model), index, pictures(s)));
+            outputs.push_back(numbered(named(s.output, model), s, index));
         TRY_VOID(check_outputs(s.arguments, outputs));
     }
     return {};
@@ -120,8 +122,12 @@ Result<std::optional<Chosen>> choose_for(const Settings& s, const LoadedModel& m
                                          const scene::CameraOptions& camera, Jobs& jobs,
                                          std::vector<std::string>& warnings) {
     const frame::SceneFacts facts = frame::facts(model.scene, s.frame.shadow_plane);
-    TRY(const scene::View view,
-        scene::make_view(model.scene.mesh, s.model, {}, camera, {}, s.frame.width, s.frame.height));
+    const double seconds = seconds_of(s, 0);
+    const Moment first = moment_of(s, camera, seconds);
+    frame::FrameOptions options = s.frame;
+    put_lights(s, seconds, options.lights);
+    TRY(const scene::View view, scene::make_view(model.scene.mesh, first.model, {}, first.camera,
+                                                 {}, options.width, options.height));
     std::string bar_of;
     std::optional<ProgressBar> bar;
     const auto progress = [&](std::string_view doing, double fraction) {
@@ -130,7 +136,7 @@ Result<std::optional<Chosen>> choose_for(const Settings& s, const LoadedModel& m
         bar->show(fraction);
     };
     Result<Chosen> chosen = choose_rungs(
-        {model.scene, facts, view, s.frame, free_axes(s), jobs, s.max_memory_mb, progress},
+        {model.scene, facts, view, options, free_axes(s), jobs, s.max_memory_mb, progress},
         s.limits);
     bar.reset();
     if (!chosen) {
@@ -141,6 +147,15 @@ Result<std::optional<Chosen>> choose_for(const Settings& s, const LoadedModel& m
     if (!chosen->choice.met()) return fail(Exit::usage, "{}", chosen->instead);
     if (!s.quiet) say(to_text(*chosen));
     return std::optional(*std::move(chosen));
+}
+
+// All frames of a motion, where the output takes many pictures and nothing says which.
+Result<void> choose_frames(Settings& s) {
+    if (!s.motion || s.time || s.range) return {};
+    const auto format = picture_format(s.output, s.picture_format);
+    if (!has_number(s.output) && !(format && in_one_file(s, *format))) return {};
+    TRY(s.range, whole(*s.motion, s.fps));
+    return {};
 }
 
 // What a run gives for one model.
@@ -268,6 +283,8 @@ private:
 Result<Exit> run_render(const Settings& given, std::uint64_t start_bytes) {
     Settings settings = given;
     TRY(settings.arguments, models_of(given.arguments));
+    TRY_VOID(read_motion(settings));
+    TRY_VOID(choose_frames(settings));
     if (settings.pair && !settings.sheet && !has_name(settings.output))
         settings.sheet = SheetGrid{2, 1};
     TRY(const PictureFormat format, check_render(settings));

@@ -6,6 +6,7 @@
 #include "app/message.h"
 #include "app/model_arguments.h"
 #include "app/model_file.h"
+#include "app/moving/motion_file.h"
 #include "app/option_conflicts.h"
 #include "app/view_file.h"
 #include "app/view_session.h"
@@ -127,6 +128,7 @@ Result<Exit> run_view(const Settings& given, std::uint64_t start_bytes) {
     if (settings.connector == "help" || settings.mode == "help") return Exit::ok;
     TRY(settings.arguments, models_of(given.arguments));
     TRY_VOID(check_view(settings));
+    TRY_VOID(read_motion(settings));
     TRY(Prepared prepared, prepare(settings));
     if (const std::string_view steadying = steadying_option(settings);
         settings.converge == Converge::on && !steadying.empty())

@@ -90,8 +90,10 @@ scene::CameraOptions camera_of(const Settings& settings, const LoadedModel& mode
 
 scene::CameraOptions fitted_camera_of(const Settings& settings, const LoadedModel& model) {
     const double aspect = static_cast<double>(settings.frame.width) / settings.frame.height;
-    return scene::fitted(model.whole_mesh(), settings.model, camera_of(settings, model), aspect,
-                         settings.turntable);
+    const scene::CameraOptions camera = camera_of(settings, model);
+    if (settings.motion)
+        return scene::fitted(model.whole_mesh(), settings.model, camera, aspect, *settings.motion);
+    return scene::fitted(model.whole_mesh(), settings.model, camera, aspect, settings.turntable);
 }
 
 Result<LoadedModel> load_model_with_messages(const std::string& path, const Settings& settings,

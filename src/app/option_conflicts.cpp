@@ -48,6 +48,19 @@ static Result<void> check_window(const Settings& s) {
     return {};
 }
 
+static Result<void> check_motion(const Settings& s) {
+    const bool moves = !s.motion_file.empty();
+    if (!moves && (s.time || s.range))
+        return fail(Exit::usage, "{} is of a motion: say --motion FILE",
+                    s.time ? "--time" : "--frames A..B");
+    if (s.time && s.range)
+        return fail(Exit::usage, "--time is one moment, --frames A..B are many: give one of them");
+    if (moves && s.turntable > 0)
+        return fail(Exit::usage, "--motion and --turntable each turn the model: give one of them "
+                                 "(models/motion/turntable.toml is a turntable)");
+    return {};
+}
+
 Result<void> check_together(const Settings& s) {
     const bool eye = s.camera.eye.has_value();
     if (eye != s.camera.target.has_value())
@@ -71,6 +84,7 @@ Result<void> check_together(const Settings& s) {
     if (s.reference && s.renderer)
         return fail(Exit::usage, "--reference and --renderer each say who draws: give one of them");
     TRY_VOID(check_window(s));
+    TRY_VOID(check_motion(s));
     TRY_VOID(check_textbook(s));
     if (s.verbose && s.quiet) return fail(Exit::usage, "--verbose and --quiet: give one of them");
     return {};

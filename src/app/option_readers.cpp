@@ -407,6 +407,37 @@ Result<void> read_shard(Settings& s, std::string_view text) {
     return {};
 }
 
+Result<void> read_time(Settings& s, std::string_view text) {
+    constexpr double kLongest = 1e9;
+    TRY(const double seconds, parse_real(text));
+    if (seconds < 0 || seconds > kLongest)
+        return fail(Exit::usage, "must be 0 to {} seconds, not {}", kLongest, text);
+    s.time = seconds;
+    return {};
+}
+
+Result<void> read_frames(Settings& s, std::string_view text) {
+    constexpr std::int64_t kMost = 100'000, kLastFrame = 1'000'000'000;
+    const std::size_t dots = text.find("..");
+    if (dots == std::string_view::npos) {
+        TRY(const std::int64_t count, parse_integer(text));
+        if (count < 1 || count > kMost)
+            return fail(Exit::usage, "must be 1 to {}, not {}", kMost, text);
+        s.frames = static_cast<int>(count);
+        s.range.reset();
+        return {};
+    }
+    const auto first = parse_integer(text.substr(0, dots)),
+               last = parse_integer(text.substr(dots + 2));
+    if (!first || !last || *first < 0 || *last < *first || *last > kLastFrame)
+        return fail(Exit::usage, "wants the first and the last frame, as in 0..47; not '{}'", text);
+    if (*last - *first >= kMost)
+        return fail(Exit::usage, "{}: {} frames; there may be {}", text, *last - *first + 1, kMost);
+    s.range = FrameRange{static_cast<int>(*first), static_cast<int>(*last)};
+    s.frames = 1;
+    return {};
+}
+
 Result<void> read_limit(Settings& s, std::string_view text) {
     TRY(s.limit, parse_real(text));
     return {};

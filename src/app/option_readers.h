@@ -47,6 +47,8 @@ Result<void> read_budget(Settings& s, std::string_view text);
 Result<void> read_max_error(Settings& s, std::string_view text);
 Result<void> read_sheet(Settings& s, std::string_view text);
 Result<void> read_shard(Settings& s, std::string_view text);
+Result<void> read_time(Settings& s, std::string_view text);
+Result<void> read_frames(Settings& s, std::string_view text);
 Result<void> read_limit(Settings& s, std::string_view text);
 Result<void> read_made_size(Settings& s, std::string_view text);
 Result<void> read_keep(Settings& s, std::string_view text);

@@ -102,8 +102,8 @@ constexpr Option part_option(std::string_view name, Choice set) {
 constexpr std::array kOptions = std::to_array<Option>({
     {"output", 'o', "FILE", "", "", 0, 0, Group::output, kRender,
      Text([](Settings& s) -> std::string& { return s.output; }),
-     "where the picture goes; - is standard output; {n} in the name is its number, {name} the "
-     "model's name: of several models each gets a file"},
+     "where the picture goes; - is standard output; {n} in the name is its number, {frame} that of "
+     "its frame, {name} the model's name: of several models each gets a file"},
     {"output", 'o', "FILE", "", "", 0, 0, Group::output, kMake | kGenerate,
      Text([](Settings& s) -> std::string& { return s.output; }),
      "where it goes; - is standard output; generate writes a model where the name ends in .obj"},
@@ -116,9 +116,10 @@ constexpr std::array kOptions = std::to_array<Option>({
      }),
      "the file's format, where its extension does not say it; apng (an animated PNG) and y4m "
      "(video, "
-     "uncompressed) hold all pictures of a turntable"},
+     "uncompressed) hold all pictures of a turntable or a motion"},
     {"fps", 0, "N", "", "30", 1, 1000, Group::output, kRender,
-     Integer([](Settings& s) -> int& { return s.fps; }), "pictures a second of apng and y4m"},
+     Integer([](Settings& s) -> int& { return s.fps; }),
+     "pictures a second of apng and y4m, and frames a second of --motion"},
     {"sheet", 0, "CxR", "", "", 0, 0, Group::output, kRender, Parsed(read_sheet),
      "draw all pictures of the run into one, C columns and R rows of --size with their names"},
     {"pair", 0, "", "", "", 0, 0, Group::output, kRender,
@@ -372,6 +373,12 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"turntable", 0, "N", "", "", 1, 100000, Group::model, kRender,
      Integer([](Settings& s) -> int& { return s.turntable; }),
      "draw N pictures of one full turn; -o wants {n} in the name"},
+    {"motion", 0, "FILE", "", "", 0, 0, Group::model, kDraw,
+     Text([](Settings& s) -> std::string& { return s.motion_file; }),
+     "move model, camera and lights by the keys of a TOML file (docs/MOTION.md); view plays it, "
+     "Space pauses"},
+    {"time", 0, "SECONDS", "", "0", 0, 1e9, Group::model, kDraw, Parsed(read_time),
+     "of --motion: this moment; view begins with it, and waits for Space"},
 
     {"backend", 0, "", "auto drm fbdev headless terminal", "auto", 0, 0, Group::display, kView,
      Choice([](Settings& s, std::size_t i) { s.backend = static_cast<Backend>(i); }),
@@ -441,9 +448,9 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"max-error", 0, "CODES", "", "", 0, 0, Group::times, kView | kRender, Parsed(read_max_error),
      "draw with the quickest rungs that err no more against the reference: root mean square of "
      "sRGB codes, 0 to 255; with --budget: within that time"},
-    {"frames", 0, "N", "", "1", 1, 100000, Group::times, kRender,
-     Integer([](Settings& s) -> int& { return s.frames; }),
-     "draw each picture N times, for times in --json"},
+    {"frames", 0, "A..B|N", "", "1", 0, 0, Group::times, kRender, Parsed(read_frames),
+     "A..B: draw frames A to B of --motion, --fps a second; -o wants {frame} in the name. N: draw "
+     "each picture N times, for times in --json"},
     {"threads", 't', "N", "", "0", 0, 256, Group::times, kRead | kMake | kGenerate,
      Integer([](Settings& s) -> int& { return s.threads; }),
      "threads that draw; 0 is one for each core; the picture is the same"},

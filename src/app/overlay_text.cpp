@@ -22,6 +22,10 @@ std::vector<std::string> info_lines(const Viewer& viewer, const ModelSlot& slot,
     lines.push_back(fmt::format("{}  up {}  cull {}  {} mode", name_of(state.look.projection),
                                 name_of(state.look.up), name_of(state.look.cull),
                                 state.camera_mode ? "camera" : "model"));
+    if (const auto seconds = viewer.motion_time())
+        lines.push_back(fmt::format("motion {:.2f} of {:.4g} s  {}", *seconds,
+                                    settings.motion->duration,
+                                    state.look.plays ? "plays" : "rests"));
     return lines;
 }
 

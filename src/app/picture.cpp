@@ -122,7 +122,7 @@ Result<image::Bytes> encode(const image::Image& picture, PictureFormat format,
 }
 
 int pictures(const Settings& s) {
-    return std::max(s.turntable, 1);
+    return s.range ? s.range->last - s.range->first + 1 : std::max(s.turntable, 1);
 }
 
 static std::string replaced(std::string name, std::string_view mark, const std::string& text) {
@@ -132,9 +132,13 @@ static std::string replaced(std::string name, std::string_view mark, const std::
     return name;
 }
 
-std::string numbered(const std::string& name, int number, int count) {
-    const std::size_t digits = fmt::formatted_size("{}", std::max(count - 1, 0));
-    return replaced(name, "{n}", fmt::format("{:0{}}", number, digits));
+std::string numbered(const std::string& name, const Settings& s, int index) {
+    const auto padded = [](int number, int last) {
+        return fmt::format("{:0{}}", number, fmt::formatted_size("{}", last));
+    };
+    const int count = pictures(s), first = s.range ? s.range->first : 0;
+    return replaced(replaced(name, "{n}", padded(index, count - 1)), "{frame}",
+                    padded(first + index, first + count - 1));
 }
 
 std::string named(const std::string& name, const std::string& model_path) {

@@ -39,10 +39,11 @@ Result<image::Bytes> encode(const image::Image& picture, PictureFormat format,
 // How many pictures a model gets.
 int pictures(const Settings& settings);
 
-// `name` with {n} replaced by the number, padded to as many digits as count - 1 has.
-std::string numbered(const std::string& name, int number, int count);
+// `name` with {n} replaced by the picture's number, from 0, and {frame} by that of its frame; each
+// padded to as many digits as the last one has.
+std::string numbered(const std::string& name, const Settings& settings, int index);
 inline bool has_number(const std::string& name) {
-    return name.find("{n}") != std::string::npos;
+    return name.find("{n}") != std::string::npos || name.find("{frame}") != std::string::npos;
 }
 
 // `name` with {name} replaced by the model file's name, without folder and extension.

@@ -13,10 +13,11 @@ struct PictureKey {
     friend bool operator==(const PictureKey&, const PictureKey&) = default;
 };
 
-// A turning model gives the same picture as one that stands at the same angle.
+// A turning model gives the same picture as one that stands at the same angle, a motion the same as
+// its moment.
 inline PictureKey picture_key(const Look& look, int generation) {
     PictureKey key{look, generation};
-    key.look.turntable = false;
+    key.look.turntable = key.look.plays = false;
     return key;
 }
 

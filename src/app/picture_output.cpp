@@ -23,7 +23,7 @@ public:
         const Stopwatch watch;
         TRY(const image::Bytes bytes, encode(picture, format_, settings_.pixel_format));
         const double encode_ms = watch.milliseconds();
-        const std::string path = numbered(settings_.output, index, pictures(settings_));
+        const std::string path = numbered(settings_.output, settings_, index);
         TRY_VOID(write_picture(path, bytes));
         return Written{path, bytes.size(), encode_ms};
     }

@@ -3,6 +3,7 @@
 #include "app/files.h"
 #include "app/measurement.h"
 #include "app/message.h"
+#include "app/moving/moment.h"
 #include "app/overlay.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
@@ -23,8 +24,8 @@ namespace scanout::app {
 RenderRun::RenderRun(const Settings& settings, PictureFormat format, const LoadedModel& model,
                      const scene::CameraOptions& camera, PictureOutput* output, Jobs& jobs)
     : settings_(settings), format_(format), scene_(model.scene), camera_(camera),
-      plan_(frame::facts(scene_, settings.frame.shadow_plane)), jobs_(jobs), renderer_(jobs),
-      output_(output) {}
+      plan_(frame::facts(scene_, settings.frame.shadow_plane)), options_(settings.frame),
+      jobs_(jobs), renderer_(jobs), output_(output) {}
 
 // Over the finished picture, as the viewer draws it.
 image::Image RenderRun::with_measured(const image::Image& picture, const scene::View& view) const {
@@ -39,10 +40,14 @@ image::Image RenderRun::with_measured(const image::Image& picture, const scene::
 
 Result<void> RenderRun::draw(int index, RunReport& report) {
     scene::Pose pose;
-    pose.yaw = scene::wrap_angle(std::int64_t{scene::kFullTurn} * index / pictures(settings_));
-    TRY(const scene::View view, scene::make_view(scene_.mesh, settings_.model, pose, camera_, {},
-                                                 settings_.frame.width, settings_.frame.height));
-    TRY(const frame::FramePlan* const plan, plan_.plan(settings_.frame, view));
+    if (settings_.turntable > 0)
+        pose.yaw = scene::wrap_angle(std::int64_t{scene::kFullTurn} * index / settings_.turntable);
+    const double seconds = seconds_of(settings_, index);
+    const Moment now = moment_of(settings_, camera_, seconds);
+    put_lights(settings_, seconds, options_.lights);
+    TRY(const scene::View view, scene::make_view(scene_.mesh, now.model, pose, now.camera, {},
+                                                 options_.width, options_.height));
+    TRY(const frame::FramePlan* const plan, plan_.plan(options_, view));
     if (first_) tell(*plan, report);
     if (settings_.reference) return draw_reference(index, view, *plan, report);
     if (settings_.renderer) return draw_textbook(index, view, *plan, report);
@@ -173,6 +178,7 @@ Result<void> RenderRun::write(const image::Image& picture, int index, RunReport&
 
 std::string RenderRun::caption_of(int index) const {
     const std::string name = file_name_of(scene_.path);
+    if (settings_.range) return fmt::format("{} {:.4g} s", name, seconds_of(settings_, index));
     if (pictures(settings_) == 1) return name;
     return fmt::format("{} {:.4g} degrees", name, 360.0 * index / pictures(settings_));
 }

@@ -48,6 +48,7 @@ private:
     const scene::Scene& scene_;
     scene::CameraOptions camera_;
     frame::PlanCache plan_;
+    frame::FrameOptions options_; // of the settings, with the lights of the picture's moment
     Jobs& jobs_;
     frame::Renderer renderer_;
     PictureOutput* output_;

@@ -5,6 +5,7 @@
 #include "image/pixel_format.h"
 #include "io/formats.h"
 #include "measure/known_frontier.h"
+#include "scene/motion/motion.h"
 #include "scene/section.h"
 #include "scene/view.h"
 #include "signal/band.h"
@@ -88,6 +89,11 @@ struct Shard {
     int index = 0, count = 1;
 };
 
+// Frames of a motion, both included: frame N is at N / fps seconds.
+struct FrameRange {
+    int first = 0, last = 0;
+};
+
 // What is drawn where nobody asks for anything.
 inline frame::FrameOptions looks() {
     frame::FrameOptions options;
@@ -148,7 +154,11 @@ struct Settings {
     int reference_samples = 0; // a pixel of the reference, at most; 0: what the command takes
     int turntable = 0;         // pictures in a full turn; 0: one picture
     int frames = 1;            // how often each picture is drawn, for times
-    int fps = 30;              // pictures a second of an animation
+    int fps = 30;              // pictures a second of an animation, frames a second of a motion
+    std::string motion_file;
+    std::optional<scene::Motion> motion; // of the file, once it is read
+    std::optional<double> time;          // --time, seconds
+    std::optional<FrameRange> range;     // --frames A..B
     std::optional<SheetGrid> sheet;
     std::optional<Shard> shard;
     bool pair = false; // two models by one camera

@@ -34,10 +34,10 @@ std::string quoted(const std::string& word) {
 }
 
 bool says_the_view(std::string_view option) {
-    constexpr std::array<std::string_view, 16> kWritten = {
+    constexpr std::array<std::string_view, 18> kWritten = {
         "size",    "cull",        "colour-by", "edges",     "annotate", "section",
         "measure", "scale",       "rotate",    "translate", "exposure", "background",
-        "shear",   "rotate-axis", "matrix",    "about"};
+        "shear",   "rotate-axis", "matrix",    "about",     "motion",   "time"};
     return std::find(kWritten.begin(), kWritten.end(), option) != kWritten.end() ||
            std::find(kSwitchedAxes.begin(), kSwitchedAxes.end(), option) != kSwitchedAxes.end();
 }
@@ -147,19 +147,19 @@ std::string model_options(const scene::ModelTransform& model) {
 
 // A camera without roll that looks along the present line of sight from beside the world's origin.
 scene::CameraOptions camera_of(const scene::View& view, const DMat3& to_view,
-                               const Settings& settings, scene::UpAxis up) {
+                               const scene::CameraOptions& given, scene::UpAxis up) {
     const DVec3 back(to_view[0][2], to_view[1][2], to_view[2][2]); // towards the eye, world
     scene::CameraOptions camera;
     camera.azimuth_degrees = scanout::atan2(back.x, back.z) * kDegrees;
     camera.elevation_degrees =
         std::clamp(scanout::atan2(back.y, std::sqrt(back.x * back.x + back.z * back.z)) * kDegrees,
                    -90.0, 90.0);
-    camera.fov_degrees = settings.camera.fov_degrees;
+    camera.fov_degrees = given.fov_degrees;
     camera.projection = view.projection;
-    camera.screen_fit = settings.camera.screen_fit;
-    camera.window = settings.camera.window;
-    camera.near = settings.camera.near;
-    camera.far = settings.camera.far;
+    camera.screen_fit = given.screen_fit;
+    camera.window = given.window;
+    camera.near = given.near;
+    camera.far = given.far;
     camera.up = up;
     const double half_fov = camera.fov_degrees / 2;
     camera.distance = view.projection == scene::Projection::perspective || is_windowed(camera) ||
@@ -193,10 +193,11 @@ std::string place_options(const scene::CameraOptions& camera) {
 std::string view_options(const Viewer& viewer, const Settings& settings, const geom::Mesh& mesh) {
     const Look& look = viewer.state().look;
     const Result<scene::View> now = viewer.view(mesh);
-    if (!now) return {};
+    if (!now || (settings.motion && settings.motion->has_lights())) return {};
     const DMat3 up = scene::up_rotation(look.up);
-    scene::CameraOptions camera =
-        camera_of(*now, now->world_axes * transpose(up), settings, look.up);
+    scene::CameraOptions given = settings.camera;
+    given.fov_degrees = viewer.fov_degrees(mesh); // a motion may change it
+    scene::CameraOptions camera = camera_of(*now, now->world_axes * transpose(up), given, look.up);
     if (look.flies) put_flight(*now, mesh, camera);
     const Result<scene::View> plain =
         scene::make_view(mesh, {}, {}, camera, {}, viewer.width(), viewer.height());

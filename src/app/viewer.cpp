@@ -63,7 +63,12 @@ scene::Orbit turned_alone(const scene::Orbit& orbit) {
 
 Viewer::Viewer(const Settings& settings, int width, int height, int files)
     : model_(settings.model), camera_(settings.camera), lights_(settings.frame.lights),
-      width_(width), height_(height), files_(files), inertia_(settings.inertia) {
+      motion_(settings.motion), motion_start_(settings.time.value_or(0)), width_(width),
+      height_(height), files_(files), inertia_(settings.inertia) {
+    if (motion_) {
+        of_model_ = motion_->without_camera();
+        start_.plays = !settings.time;
+    }
     start_.projection = camera_.projection;
     start_.up = camera_.up;
     start_.cull = settings.frame.cull;
@@ -125,12 +130,15 @@ const scene::CameraOptions& Viewer::fitted_camera(const geom::Mesh& mesh) const 
         std::find_if(fits_.begin(), fits_.end(), [&](const Fit& fit) { return fit.key == key; });
     if (known != fits_.end()) return known->camera;
     const double aspect = static_cast<double>(width_) / height_;
-    fits_.push_back({key, scene::fitted(mesh, model_, camera(), aspect)});
+    fits_.push_back({key, motion() != nullptr
+                              ? scene::fitted(mesh, model_, camera(), aspect, *motion())
+                              : scene::fitted(mesh, model_, camera(), aspect)});
     return fits_.back().camera;
 }
 
 Result<scene::View> Viewer::view(const geom::Mesh& mesh) const {
-    return scene::make_view(mesh, model(), state_.look.pose, fitted_camera(mesh), state_.look.orbit,
+    const Moment now = moment(mesh);
+    return scene::make_view(mesh, now.model, state_.look.pose, now.camera, state_.look.orbit,
                             width_, height_, state_.look.flight);
 }
 
@@ -370,6 +378,7 @@ void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
                                                      static_cast<int>(ActionId::toggle_points)),
                       mesh);
     case ActionId::toggle_turntable:
+        if (motion_) return toggle_playing();
         look.turntable = !look.turntable;
         return;
     default:
@@ -389,14 +398,16 @@ void Viewer::toggle(frame::Annotation annotation, const geom::Mesh* mesh) {
                               frame::kAnnotationNames[static_cast<std::size_t>(annotation)], size);
 }
 
-// What the turntable has turned since then is nobody's action, and stays.
+// What turntable and motion have done since then is nobody's action, and stays.
 void Viewer::undo() {
     if (history_.empty()) {
         answer_ = "nothing to undo";
         return;
     }
     const Remembered& last = history_.back();
+    const std::int64_t played = state_.look.motion_steps;
     state_.look = last.look;
+    state_.look.motion_steps = played;
     scene::Pose& pose = state_.look.pose;
     pose.yaw = scene::wrap_angle(pose.yaw + (turned_ - last.turned));
     history_.pop_back();
@@ -429,6 +440,7 @@ void Viewer::advance_to(std::int64_t step) {
         pose.yaw = scene::wrap_angle(pose.yaw + turn);
         turned_ += turn;
     }
+    if (state_.look.plays) play(step - passed);
     if (step >= state_.pointer.hide_step) state_.pointer.visible = false;
 }
 

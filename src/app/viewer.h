@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/actions.h"
+#include "app/moving/moment.h"
 #include "app/pixel_place.h"
 #include "app/settings.h"
 #include "geom/mesh.h"
@@ -85,15 +86,18 @@ public:
     std::optional<DVec3> hazard_place() const;
     std::optional<PixelPlace> pixel_of(const DVec3& place, const geom::Mesh& mesh) const;
 
-    // Steps of the virtual clock pass: the turntable turns, the pointer hides.
+    // The moment of a motion that is shown, in seconds; nothing without --motion.
+    std::optional<double> motion_time() const;
+    // Steps of the virtual clock pass: motion and turntable go on, the pointer hides.
     void advance_to(std::int64_t step);
     // True when steps change something: the clock has to run. next_step(): the first that does.
-    bool turning() const { return turntable_turns() || spins(); }
+    bool turning() const { return turntable_turns() || spins() || state_.look.plays; }
     bool moving() const { return turning() || follows_hand() || state_.pointer.visible; }
     std::int64_t next_step() const;
 
     // The matrices of the state; see scene::make_view for errors.
     Result<scene::View> view(const geom::Mesh& mesh) const;
+    double fov_degrees(const geom::Mesh& mesh) const { return moment(mesh).camera.fov_degrees; }
     // The frame's lights where keys and mouse have put them.
     std::vector<scene::Light> lights(const geom::Mesh& mesh) const;
     void place_lights(const geom::Mesh& mesh, std::vector<scene::Light>& out) const; // the same
@@ -112,6 +116,11 @@ private:
     void stop_spin(ActionId id);
     void rest_if_slow();
     void spin();
+    // A motion (moving/viewer_motion.cpp).
+    const scene::Motion* motion() const; // that moves what is seen; null: none
+    Moment moment(const geom::Mesh& mesh) const;
+    void toggle_playing();
+    void play(std::int64_t steps);
     Effect carry_out(const Action& action, const geom::Mesh* mesh);
     Effect close_topmost(const geom::Mesh* mesh); // Esc
     scene::CameraOptions camera() const;          // before the model is fitted
@@ -167,6 +176,9 @@ private:
     scene::ModelTransform model_;
     scene::CameraOptions camera_;
     std::vector<scene::Light> lights_;
+    std::optional<scene::Motion> motion_;   // --motion
+    std::optional<scene::Motion> of_model_; // its tracks but the camera's
+    double motion_start_ = 0;               // --time, seconds
     int width_, height_, files_;
     Pages pages_;
     std::vector<std::optional<HazardSpot>> hazards_;

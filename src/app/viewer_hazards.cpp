@@ -47,7 +47,7 @@ void Viewer::fly_to(const HazardSpot& spot, const geom::Mesh& mesh) {
     const Look before = state_.look;
     look_from(0);
     Look& look = state_.look;
-    look.turntable = false;
+    look.turntable = look.plays = false;
     look.pose = {};
     look.orbit = {};
     const DVec3 from_centre = scene::radii_from_centre(mesh, spot.at) * mesh.radius;

@@ -45,10 +45,11 @@ std::vector<scene::Light> Viewer::lights(const geom::Mesh& mesh) const {
 
 void Viewer::place_lights(const geom::Mesh& mesh, std::vector<scene::Light>& out) const {
     out = lights_; // reuses its memory
+    if (motion_) motion_->move_lights(*motion_time(), out);
     for (std::size_t i = 0; i < out.size(); ++i) {
         const scene::LightMove& move = state_.look.lights[i];
         if (!(move == scene::LightMove())) // without a move every bit stays
-            out[i] = scene::moved(lights_[i], move, state_.look.up, mesh);
+            out[i] = scene::moved(out[i], move, state_.look.up, mesh);
     }
 }
 

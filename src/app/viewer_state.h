@@ -28,6 +28,8 @@ struct Look {
     frame::Annotations annotations;            // likewise
     std::optional<scene::SectionSpec> section; // that the model is cut by
     bool turntable = false;
+    bool plays = false;            // a motion
+    std::int64_t motion_steps = 0; // of the virtual clock that it has played, since --time
     Rendering rendering;
     std::array<int, 3> stretch{}; // zoom levels along the model's x, y and z
     scene::Flight flight;

@@ -68,8 +68,12 @@ TEST_F(Files, WhatCannotBeReadIsNamedWithWhatToDo) {
 }
 
 TEST(Numbered, EveryPlaceholderIsReplaced) {
-    EXPECT_EQ(numbered("turn-{n}/t{n}.png", 7, 100), "turn-07/t07.png");
-    EXPECT_EQ(numbered("plain.png", 7, 100), "plain.png");
+    Settings settings;
+    settings.turntable = 100;
+    EXPECT_EQ(numbered("turn-{n}/t{n}.png", settings, 7), "turn-07/t07.png");
+    EXPECT_EQ(numbered("plain.png", settings, 7), "plain.png");
+    settings.range = FrameRange{95, 104};
+    EXPECT_EQ(numbered("{n}-{frame}.png", settings, 3), "3-098.png");
 }
 
 } // namespace

@@ -20,7 +20,7 @@ namespace {
 using scene::Interpolation;
 using scene::Track;
 using scene::TrackKeys;
-using test::Random;
+using ::scanout::test::Random;
 using Long = long double;
 
 struct Long4 {

@@ -1,5 +1,6 @@
 // While a model is turned in the viewer, nothing is allocated between a frame and the next: plan,
 // picture, what lies on it, and the way onto the display.
+#include "app/moving/motion_file.h"
 #include "app/view_session.h"
 #include "port/headless.h"
 #include "support/allocations.h"
@@ -95,6 +96,33 @@ TEST(SteadySession, ATurnedModelAllocatesNothing) {
             EXPECT_GT(counts[1] - counts[0], 0U) << "the first are seen to allocate";
         }
     }
+}
+
+// Model and camera are moved by tracks of every kind; lights would have the frame planned anew.
+TEST(SteadySession, AMotionThatPlaysAllocatesNothing) {
+    Settings settings = spot();
+    Warnings warnings;
+    settings.motion = parse_motion(R"(
+end = "loop"
+[model.turn]
+keys = [{ time = 0, value = [0, 0, 0, 1] }, { time = 1, value = [0, 1, 0, 0] },
+        { time = 2, value = [0, 0, 0, -1] }]
+[model.translate]
+by = "spline"
+keys = [{ time = 0, value = [0, 0, 0] }, { time = 1, value = [0, 0.2, 0] },
+        { time = 2, value = [0, 0, 0] }]
+[model.scale]
+by = "hermite"
+keys = [{ time = 0, value = 1 }, { time = 2, value = 1, in = [1, 1, 1] }]
+[camera.azimuth]
+ease = "in-out"
+keys = [{ time = 0, value = 0 }, { time = 2, value = 40 }]
+)",
+                                   "motion", settings.camera, settings.frame.lights, warnings)
+                          .value();
+    const auto counts = counts_of(settings, "pointer 5 5");
+    ASSERT_GE(counts.size(), kFrames);
+    EXPECT_GE(longest_rest(counts), 100U);
 }
 
 } // namespace

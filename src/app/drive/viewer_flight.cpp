@@ -17,7 +17,8 @@ constexpr int kLookShare = 4; // a drag looks around this much slower than it tu
 } // namespace
 
 Result<scene::View> Viewer::view_from_orbit(const geom::Mesh& mesh) const {
-    return scene::make_view(mesh, model(), state_.look.pose, fitted_camera(mesh), state_.look.orbit,
+    const Moment now = moment(mesh);
+    return scene::make_view(mesh, now.model, state_.look.pose, now.camera, state_.look.orbit,
                             width_, height_);
 }
 
