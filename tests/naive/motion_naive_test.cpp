@@ -17,10 +17,10 @@
 namespace scanout::naive {
 namespace {
 
+using ::scanout::test::Random;
 using scene::Interpolation;
 using scene::Track;
 using scene::TrackKeys;
-using ::scanout::test::Random;
 using Long = long double;
 
 struct Long4 {
