@@ -242,8 +242,19 @@ std::function<bool(double)> part_of(const std::function<bool(double)>& progress,
     };
 }
 
-void normalise(Jobs& jobs, PolygonMesh& m, const Usable& usable, Mesh& mesh) {
-    const Framing framing = framing_of(jobs, m.positions, usable.position);
+Framing framing_of_box(Jobs& jobs, const std::pair<DVec3, DVec3>& box) {
+    std::vector<DVec3> corners;
+    for (unsigned i = 0; i < 8; ++i)
+        corners.emplace_back((i & 1U) != 0 ? box.second.x : box.first.x,
+                             (i & 2U) != 0 ? box.second.y : box.first.y,
+                             (i & 4U) != 0 ? box.second.z : box.first.z);
+    return framing_of(jobs, corners, std::vector<std::uint8_t>(corners.size(), 1));
+}
+
+void normalise(Jobs& jobs, PolygonMesh& m, const Usable& usable, const BuildOptions& options,
+               Mesh& mesh) {
+    const Framing framing = options.reach ? framing_of_box(jobs, *options.reach)
+                                          : framing_of(jobs, m.positions, usable.position);
     mesh.centre = framing.centre;
     mesh.exponent = framing.exponent;
     mesh.radius = framing.radius;
@@ -273,7 +284,7 @@ BuildResult build_mesh(PolygonMesh&& polygons, const BuildOptions& options, cons
     BuildResult result;
     const Usable usable(jobs, m);
     result.skipped_faces = m.faces() - usable.all.faces;
-    normalise(jobs, m, usable, result.mesh); // from here on everything is of unit size
+    normalise(jobs, m, usable, options, result.mesh); // from here on everything is of unit size
     result.stopped = !make_normals(jobs, m, usable.face, options.crease_degrees,
                                    part_of(options.progress, kToNormals, kToFaces));
     if (result.stopped) return result;

@@ -8,7 +8,9 @@
 #include "geom/polygon_mesh.h"
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace scanout::geom {
 
@@ -19,6 +21,8 @@ struct BuildOptions {
     // of what its maps show; 0: by nothing. Of what has no entry: 2, an even number of repeats,
     // which change nothing where they are mirrored, either.
     std::vector<DVec2> uv_step = {};
+    // The box that the mesh is framed by, in place of its own: it lies within.
+    std::optional<std::pair<DVec3, DVec3>> reach = std::nullopt;
     // Called now and then with the share that is done, 0 to 1; false stops the work.
     std::function<bool(double)> progress = nullptr;
 };

@@ -1,15 +1,19 @@
 #include "io/gltf.h"
 
 #include "base/stopwatch.h"
+#include "geom/framing.h"
+#include "io/gltf_animation.h"
 #include "io/gltf_flatten.h"
 #include "io/gltf_json.h"
 #include "io/gltf_material.h"
+#include "io/gltf_morph.h"
 #include "io/gltf_nodes.h"
 #include "io/gltf_primitive.h"
 #include "io/text.h"
 #include "math/transcendental.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -45,6 +49,10 @@ private:
     Result<Mesh> find_mesh(Primitives& primitives, Index index);
     Result<> check_size(Budget& budget) const;
     Result<> report(std::uint64_t vertices) const;
+    Result<> flatten(Flattener& flattener, const SceneNodes& nodes, Accessors& accessors,
+                     bool reports);
+    Result<> find_reach(const Clip& clip, Primitives& primitives, const Budget& budget,
+                        GltfFile& out);
     const Palette* palette_of(const Draw& draw, Skins& skins);
     tl::unexpected<Error> nothing() const;
     void note_what_moves() const;
@@ -138,16 +146,16 @@ void GltfReader::note_what_moves() const {
     };
     const auto morphs = [](const MeshInfo& mesh) {
         return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
-                           [](const Primitive& p) { return p.morphs; });
+                           [](const Primitive& p) { return !p.targets.empty(); });
     };
-    note(document_.animations > 0, "animations");
+    note(!document_.animations.empty() && !how_.animation, "animations");
     note(std::any_of(draws_.begin(), draws_.end(),
                      [&](const Draw& draw) {
                          return document_.nodes[static_cast<std::size_t>(draw.node)].skin >= 0;
                      }),
          "skins");
     note(std::any_of(document_.meshes.begin(), document_.meshes.end(), morphs), "morph targets");
-    if (!what.empty())
+    if (!what.empty() && !how_.animation)
         warnings_.add("glTF motion", fmt::format("{}: has {}: shown at rest", path_, what));
 }
 
@@ -171,16 +179,76 @@ tl::unexpected<Error> GltfReader::nothing() const {
                 draws_.empty() ? ": no node of its scene has a mesh" : "");
 }
 
+Result<> GltfReader::flatten(Flattener& flattener, const SceneNodes& nodes, Accessors& accessors,
+                             bool reports) {
+    Skins skins(document_, accessors, nodes.world, path_);
+    MorphRoom room;
+    std::uint64_t done = 0, told = 0;
+    for (const Draw& draw : nodes.draws) {
+        const std::vector<double>& weights =
+            weights_of(document_, document_.nodes[static_cast<std::size_t>(draw.node)]);
+        for (const Part& part : meshes_[static_cast<std::size_t>(draw.mesh)]->parts) {
+            if (reports && done >= told) {
+                TRY_VOID(report(done));
+                told = done + kReportVertices;
+            }
+            done += part.data.positions.count;
+            const Index material = part.data.material;
+            const bool plain = material < 0;
+            flattener.add(morphed(part.data, weights, room), {draw.matrix, palette_of(draw, skins)},
+                          plain ? UvUse() : looks_.uv[static_cast<std::size_t>(material)],
+                          plain ? -1 : looks_.of[static_cast<std::size_t>(material)],
+                          {draw.mesh, part.primitive});
+        }
+    }
+    return reports ? report(done) : Result<>();
+}
+
+// The box of the model at sixteen moments of the animation, and a little more for what lies between
+// them: every moment is framed alike.
+Result<> GltfReader::find_reach(const Clip& clip, Primitives& primitives, const Budget& budget,
+                                GltfFile& out) {
+    constexpr int kMoments = 16;
+    constexpr double kMargin = 0x1p-5; // of the box
+    Reach box(DVec3(INFINITY), DVec3(-INFINITY));
+    for (int i = 0; i < kMoments; ++i) {
+        TRY_VOID(report(0));
+        Warnings heard; // of the moment that is drawn
+        Budget room = budget;
+        clip.pose(clip.duration() * i / kMoments, document_);
+        TRY(const SceneNodes nodes,
+            walk_nodes(document_, primitives.accessors(), room, path_, heard));
+        Flattener flattener(path_, heard);
+        TRY_VOID(flatten(flattener, nodes, primitives.accessors(), false));
+        for (const DVec3& at : flattener.take().positions)
+            for (int axis = 0; geom::is_finite(at) && axis < 3; ++axis) {
+                box.first[axis] = std::min(box.first[axis], at[axis]);
+                box.second[axis] = std::max(box.second[axis], at[axis]);
+            }
+    }
+    if (!geom::is_finite(box.first)) return {};
+    const DVec3 margin = (box.second - box.first) * kMargin;
+    out.reach = Reach(box.first - margin, box.second + margin);
+    return {};
+}
+
 Result<GltfFile> GltfReader::read() {
     Stopwatch watch;
     TRY(const Container container, open_container(file_, path_, warnings_));
-    TRY(document_, read_document(container.json, path_, warnings_));
+    TRY(document_, read_document(container.json, path_, warnings_, how_.animation.has_value()));
     Budget budget(how_.memory_bytes, path_);
     Buffers buffers(document_, container, path_, warnings_, how_, budget);
     Primitives primitives(document_, buffers, path_, warnings_, budget);
-    TRY(SceneNodes nodes, walk_nodes(document_, primitives.accessors(), budget, path_, warnings_));
-    draws_ = std::move(nodes.draws);
-    Skins skins(document_, primitives.accessors(), nodes.world, path_);
+    if (how_.animation || weighs_targets(document_)) primitives.find_targets();
+    std::optional<Clip> clip;
+    if (how_.animation) {
+        TRY(const Index index, find_animation(document_, how_.animation->name, path_));
+        TRY(clip, Clip::read(document_, primitives.accessors(), index, path_, budget, warnings_));
+        clip->pose(how_.animation->seconds, document_);
+    }
+    TRY(const SceneNodes nodes,
+        walk_nodes(document_, primitives.accessors(), budget, path_, warnings_));
+    draws_ = nodes.draws;
     GltfFile out;
     out.parse_ms = watch.milliseconds();
     watch.restart();
@@ -196,23 +264,9 @@ Result<GltfFile> GltfReader::read() {
     note_what_moves();
     Flattener flattener(path_, warnings_);
     flattener.reserve(size_);
-    std::uint64_t done = 0, told = 0;
-    for (const Draw& draw : draws_) {
-        for (const Part& part : meshes_[static_cast<std::size_t>(draw.mesh)]->parts) {
-            if (done >= told) {
-                TRY_VOID(report(done));
-                told = done + kReportVertices;
-            }
-            done += part.data.positions.count;
-            const Index material = part.data.material;
-            const bool plain = material < 0;
-            flattener.add(part.data, {draw.matrix, palette_of(draw, skins)},
-                          plain ? UvUse() : looks_.uv[static_cast<std::size_t>(material)],
-                          plain ? -1 : looks_.of[static_cast<std::size_t>(material)],
-                          {draw.mesh, part.primitive});
-        }
-    }
-    TRY_VOID(report(done));
+    TRY_VOID(flatten(flattener, nodes, primitives.accessors(), true));
+    if (clip) out.reach = how_.animation->reach;
+    if (clip && !out.reach) TRY_VOID(find_reach(*clip, primitives, budget, out));
     out.skipped = skipped_ + flattener.skipped();
     out.polygons = flattener.take();
     const geom::PolygonMesh& m = out.polygons;
@@ -223,6 +277,8 @@ Result<GltfFile> GltfReader::read() {
     out.materials = std::move(looks_.materials);
     out.textures = std::move(looks_.textures);
     out.cameras = cameras();
+    for (const AnimationInfo& animation : document_.animations)
+        out.animations.push_back(shown(animation.name));
     out.bytes = buffers.bytes_of_files() + looks_.bytes;
     out.parse_ms += watch.milliseconds();
     return out;

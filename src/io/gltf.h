@@ -20,6 +20,8 @@ struct GltfFile {
     // In the file's units: each node's mesh once for each of its places. Materials are indices of
     // `materials`, -1 where the file gives none.
     geom::PolygonMesh polygons;
+    std::optional<Reach> reach;          // of an animation that was asked for
+    std::vector<std::string> animations; // one line each, for reports
     std::vector<scene::Material> materials;
     std::vector<scene::Texture> textures;
     std::vector<std::string> cameras; // one line each, for reports

@@ -5,6 +5,7 @@
 
 #include "math/vec.h"
 #include "scene/material.h"
+#include "scene/motion/track.h"
 
 #include <array>
 #include <cstdint>
@@ -128,26 +129,50 @@ struct Primitive {
     Index indices = -1, material = -1;
     int mode = 4;
     std::optional<Draco> draco;
-    bool morphs = false;
-    std::string fault; // why it cannot be drawn
+    std::vector<Attributes> targets; // of morphing
+    std::string fault;               // why it cannot be drawn
 };
 
 struct MeshInfo {
     std::vector<Primitive> primitives;
+    std::vector<double> weights; // of the targets
 };
 
 struct Node {
     std::vector<Index> children;
     Index mesh = -1, skin = -1;
-    DMat4 matrix{1};      // of its own, to its parent
-    Attributes instances; // EXT_mesh_gpu_instancing
-    std::string fault;    // why its instances cannot be used
+    DMat4 matrix{1};                // of its own, to its parent
+    DVec3 translation{0}, scale{1}; // that it is made of, unless the file gives a matrix
+    std::array<double, 4> rotation{0, 0, 0, 1};
+    std::vector<double> weights; // of its mesh's targets; empty: the mesh's own
+    Attributes instances;        // EXT_mesh_gpu_instancing
+    std::string fault;           // why its instances cannot be used
 };
 
 struct Skin {
     std::vector<Index> joints; // nodes
     Index inverse_bind = -1;   // accessor
     std::string fault;         // why it cannot be used
+};
+
+enum class AnimationPath : std::uint8_t { translation, rotation, scale, weights, other };
+
+struct AnimationSampler {
+    Index input = -1, output = -1; // accessors
+    scene::Interpolation by = scene::Interpolation::linear;
+    std::string fault; // why it cannot be used
+};
+
+struct AnimationChannel {
+    Index sampler = -1, node = -1; // of its animation; of the document
+    AnimationPath path = AnimationPath::other;
+    std::string fault; // why it cannot be used
+};
+
+struct AnimationInfo {
+    std::string name;
+    std::vector<AnimationSampler> samplers;
+    std::vector<AnimationChannel> channels;
 };
 
 struct CameraInfo {
@@ -169,7 +194,7 @@ struct Document {
     std::optional<std::vector<Index>> scene; // root nodes of the default one, where there is one
     std::vector<CameraInfo> cameras;
     std::vector<Skin> skins;
-    std::size_t animations = 0;
+    std::vector<AnimationInfo> animations;
     std::vector<std::string> used, required; // extensions
 };
 

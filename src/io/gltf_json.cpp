@@ -191,9 +191,9 @@ bool is_read(std::string_view attribute) {
            attribute.starts_with("WEIGHTS_");
 }
 
-Attributes read_attributes(JsonReader& in, Json of, std::string_view key, std::string& fault) {
+Attributes read_attributes(JsonReader& in, Json fields, std::string& fault) {
     Attributes attributes;
-    in.each_field(in.object(of, key), [&](std::string_view name, Json value) {
+    in.each_field(fields, [&](std::string_view name, Json value) {
         std::string ignored;
         const Index accessor =
             in.index_of(value, name, "accessors", is_read(name) ? fault : ignored);
@@ -202,13 +202,36 @@ Attributes read_attributes(JsonReader& in, Json of, std::string_view key, std::s
     return attributes;
 }
 
+// Each of an array; none of what is no array: a model at rest is shown whatever its motion says.
+template <class Visit>
+void each_if_any(const JsonReader& in, Json of, std::string_view key, Visit&& visit) {
+    const Json value = in.field(of, key);
+    simdjson::dom::array array;
+    if (!value.there() || (*value).get(array) != simdjson::SUCCESS) return;
+    for (const simdjson::dom::element one : array)
+        visit(one);
+}
+
+// What is no number counts as 0.
+std::vector<double> weights_in(const JsonReader& in, Json of) {
+    std::vector<double> weights;
+    each_if_any(in, of, "weights", [&](const simdjson::dom::element& one) {
+        double weight = 0;
+        weights.push_back(one.get(weight) == simdjson::SUCCESS ? weight : 0);
+    });
+    return weights;
+}
+
 Primitive read_primitive(JsonReader& in, Json o) {
     Primitive p;
-    p.attributes = read_attributes(in, o, "attributes", p.fault);
+    p.attributes = read_attributes(in, in.object(o, "attributes"), p.fault);
     p.indices = in.index(o, "indices", "accessors", p.fault);
     p.material = in.soft_index(o, "material", "materials");
     p.mode = static_cast<int>(in.whole(o, "mode", 4, 65535));
-    p.morphs = in.has(o, "targets");
+    each_if_any(in, o, "targets", [&](const simdjson::dom::element& target) {
+        std::string ignored; // without it the target adds nothing
+        p.targets.push_back(read_attributes(in, Json(target), ignored));
+    });
     if (const Json packed = in.extension(o, "KHR_draco_mesh_compression"); packed.there()) {
         Draco& draco = p.draco.emplace();
         draco.view = in.index(packed, "bufferView", "bufferViews", p.fault);
@@ -226,6 +249,9 @@ MeshInfo read_mesh(JsonReader& in, Json o) {
         const JsonReader::Within within(in, fmt::format("primitives[{}]", mesh.primitives.size()));
         mesh.primitives.push_back(read_primitive(in, primitive));
     });
+    mesh.weights = weights_in(in, o);
+    for (const Primitive& p : mesh.primitives)
+        mesh.weights.resize(std::max(mesh.weights.size(), p.targets.size()), 0);
     return mesh;
 }
 
@@ -248,15 +274,14 @@ Node read_node(JsonReader& in, Json o) {
     if (in.has(o, "matrix")) {
         in.numbers(o, "matrix", &node.matrix[0][0], 16);
     } else {
-        DVec3 move(0), size(1);
-        double turn[4] = {0, 0, 0, 1};
-        in.numbers(o, "translation", &move.x, 3);
-        in.numbers(o, "scale", &size.x, 3);
-        in.numbers(o, "rotation", turn, 4);
-        node.matrix = trs_matrix(move, turn, size);
+        in.numbers(o, "translation", &node.translation.x, 3);
+        in.numbers(o, "scale", &node.scale.x, 3);
+        in.numbers(o, "rotation", node.rotation.data(), 4);
+        node.matrix = trs_matrix(node.translation, node.rotation.data(), node.scale);
     }
+    node.weights = weights_in(in, o);
     if (const Json many = in.extension(o, "EXT_mesh_gpu_instancing"); many.there())
-        node.instances = read_attributes(in, many, "attributes", node.fault);
+        node.instances = read_attributes(in, in.object(many, "attributes"), node.fault);
     return node;
 }
 
@@ -267,6 +292,48 @@ Skin read_skin(JsonReader& in, Json o) {
     });
     skin.inverse_bind = in.index(o, "inverseBindMatrices", "accessors", skin.fault);
     return skin;
+}
+
+AnimationSampler read_animation_sampler(JsonReader& in, Json o) {
+    AnimationSampler sampler;
+    sampler.input = in.index(o, "input", "accessors", sampler.fault);
+    sampler.output = in.index(o, "output", "accessors", sampler.fault);
+    const std::string by = in.text(o, "interpolation");
+    sampler.by = by == "STEP"          ? scene::Interpolation::step
+                 : by == "CUBICSPLINE" ? scene::Interpolation::hermite
+                                       : scene::Interpolation::linear;
+    return sampler;
+}
+
+AnimationChannel read_animation_channel(JsonReader& in, Json o, std::size_t samplers) {
+    AnimationChannel channel;
+    const std::uint64_t sampler = in.whole(o, "sampler", samplers, kMany);
+    if (sampler < samplers)
+        channel.sampler = static_cast<Index>(sampler);
+    else
+        channel.fault = fmt::format("sampler is {}, and there are {}", sampler, samplers);
+    const Json target = in.object(o, "target");
+    channel.node = in.index(target, "node", "nodes", channel.fault);
+    const std::string path = in.text(target, "path");
+    channel.path = path == "translation" ? AnimationPath::translation
+                   : path == "rotation"  ? AnimationPath::rotation
+                   : path == "scale"     ? AnimationPath::scale
+                   : path == "weights"   ? AnimationPath::weights
+                                         : AnimationPath::other;
+    return channel;
+}
+
+AnimationInfo read_animation(JsonReader& in, Json o) {
+    AnimationInfo animation;
+    animation.name = in.text(o, "name");
+    in.each(o, "samplers", [&](Json sampler) {
+        animation.samplers.push_back(read_animation_sampler(in, sampler));
+    });
+    in.each(o, "channels", [&](Json channel) {
+        animation.channels.push_back(
+            read_animation_channel(in, channel, animation.samplers.size()));
+    });
+    return animation;
 }
 
 CameraInfo read_camera(JsonReader& in, Json o) {
@@ -296,7 +363,8 @@ DMat4 trs_matrix(const DVec3& translation, const double* rotation, const DVec3& 
             DVec4(translation, 1)};
 }
 
-Result<Document> read_document(std::string_view json, const std::string& path, Warnings& warnings) {
+Result<Document> read_document(std::string_view json, const std::string& path, Warnings& warnings,
+                               bool moves) {
     JsonReader in(path, warnings);
     const Json root = in.parse(json);
     read_asset(in, root);
@@ -317,6 +385,15 @@ Result<Document> read_document(std::string_view json, const std::string& path, W
     read_all(in, root, "nodes", d.nodes, read_node);
     read_all(in, root, "skins", d.skins, read_skin);
     read_all(in, root, "cameras", d.cameras, read_camera);
+    if (moves) {
+        read_all(in, root, "animations", d.animations, read_animation);
+    } else {
+        each_if_any(in, root, "animations", [&](const simdjson::dom::element& animation) {
+            std::string_view name;
+            if (animation["name"].get(name) != simdjson::SUCCESS) name = {};
+            d.animations.emplace_back().name = name;
+        });
+    }
     const Index scene = std::max(in.index(root, "scene", "scenes"), 0);
     Index number = 0;
     in.each_top(root, "scenes", [&](Json o) {
@@ -324,7 +401,6 @@ Result<Document> read_document(std::string_view json, const std::string& path, W
         auto& roots = d.scene.emplace();
         in.each(o, "nodes", [&](Json n) { roots.push_back(in.index_of(n, "nodes", "nodes")); });
     });
-    d.animations = in.size_of("animations");
     TRY_VOID(in.outcome());
     return d;
 }

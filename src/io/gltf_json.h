@@ -16,7 +16,9 @@ DMat4 trs_matrix(const DVec3& translation, const double* rotation, const DVec3& 
 
 // An error (Exit::unreadable) names the first place that cannot be meant, such as
 // "accessors[3].count"; so does a reference beyond the end of its array. References to materials,
-// textures, images and samplers that are not there are warnings, and none.
-Result<Document> read_document(std::string_view json, const std::string& path, Warnings& warnings);
+// textures, images and samplers that are not there are warnings, and none. Where nothing moves,
+// only the names of animations are read.
+Result<Document> read_document(std::string_view json, const std::string& path, Warnings& warnings,
+                               bool moves);
 
 } // namespace scanout::io::gltf

@@ -19,10 +19,10 @@ Result<const UnpackedDraco*> Primitives::draco(Index mesh, std::size_t number) {
     return &unpacked_.emplace_back(std::move(unpacked));
 }
 
-std::optional<View> Primitives::attribute(const Primitive& p, const UnpackedDraco* packed,
+std::optional<View> Primitives::attribute(const Attributes& attributes, const UnpackedDraco* packed,
                                           std::string_view name, int least_rows,
                                           std::uint64_t count, const std::string& place) {
-    const Index index = gltf::find(p.attributes, name);
+    const Index index = gltf::find(attributes, name);
     if (index < 0) return std::nullopt;
     const auto without = [&](std::string_view why) -> std::optional<View> {
         warnings_.add(fmt::format("glTF {}", name),
@@ -88,14 +88,21 @@ Result<PrimitiveData> Primitives::find(Index mesh, std::size_t number, int uv_se
                         place, p.indices);
         data.indices = indices;
     }
-    data.normals = attribute(p, packed, "NORMAL", 3, count, place);
-    data.colours = attribute(p, packed, "COLOR_0", 3, count, place);
-    data.uvs = attribute(p, packed, fmt::format("TEXCOORD_{}", uv_set), 2, count, place);
+    data.normals = attribute(p.attributes, packed, "NORMAL", 3, count, place);
+    data.colours = attribute(p.attributes, packed, "COLOR_0", 3, count, place);
+    data.uvs = attribute(p.attributes, packed, fmt::format("TEXCOORD_{}", uv_set), 2, count, place);
     for (int set = 0; set < kMostSets; ++set) {
-        const auto joints = attribute(p, packed, fmt::format("JOINTS_{}", set), 4, count, place);
-        const auto weights = attribute(p, packed, fmt::format("WEIGHTS_{}", set), 4, count, place);
+        const auto joints =
+            attribute(p.attributes, packed, fmt::format("JOINTS_{}", set), 4, count, place);
+        const auto weights =
+            attribute(p.attributes, packed, fmt::format("WEIGHTS_{}", set), 4, count, place);
         if (!joints || !weights) break;
         data.influences.push_back({*joints, *weights});
+    }
+    for (std::size_t i = 0; targets_ && i < p.targets.size(); ++i) {
+        const Attributes& target = p.targets[i];
+        data.targets.push_back({attribute(target, nullptr, "POSITION", 3, count, place),
+                                attribute(target, nullptr, "NORMAL", 3, count, place)});
     }
     return data;
 }

@@ -25,6 +25,11 @@ enum class Mode : std::uint8_t {
     triangle_fan
 };
 
+// What a morph target adds; as many elements as positions.
+struct MorphTarget {
+    std::optional<View> positions, normals;
+};
+
 struct PrimitiveData {
     Mode mode = Mode::triangles;
     Index material = -1;
@@ -32,6 +37,7 @@ struct PrimitiveData {
     std::optional<View> normals, colours, uvs; // as many elements as positions
     std::optional<View> indices;               // one component, unsigned
     std::vector<Influences> influences;        // of joints; as many elements as positions
+    std::vector<MorphTarget> targets;
     std::uint64_t corners() const { return indices ? indices->count : positions.count; }
 };
 
@@ -47,11 +53,13 @@ public:
     // are warnings, and none. Views are good as long as this object.
     Result<PrimitiveData> find(Index mesh, std::size_t primitive, int uv_set);
 
+    // From now on morph targets are found, too.
+    void find_targets() { targets_ = true; }
     Accessors& accessors() { return accessors_; }
 
 private:
     Result<const UnpackedDraco*> draco(Index mesh, std::size_t primitive);
-    std::optional<View> attribute(const Primitive& primitive, const UnpackedDraco* packed,
+    std::optional<View> attribute(const Attributes& attributes, const UnpackedDraco* packed,
                                   std::string_view name, int least_rows, std::uint64_t count,
                                   const std::string& place);
 
@@ -61,6 +69,7 @@ private:
     const std::string& path_;
     Warnings& warnings_;
     Budget& budget_;
+    bool targets_ = false;
     std::list<UnpackedDraco> unpacked_; // that views are of
 };
 

@@ -57,7 +57,9 @@ struct ReadModel {
     double done = 0;                   // of all, when this is read
     std::vector<std::uint32_t> face_lines, position_lines; // of ModelSource
     std::vector<std::string> cameras;                      // of the scene
-    bool unnamed_one_sided = false; // what the file gives no material shows no back
+    bool unnamed_one_sided = false;      // what the file gives no material shows no back
+    std::vector<std::string> animations; // likewise
+    std::optional<Reach> reach;          // of an animation
 };
 
 using Reader = Result<ReadModel> (*)(std::string_view file, const std::string& path,
@@ -159,6 +161,8 @@ Result<ReadModel> read_gltf_model(std::string_view file, const std::string& path
     model.materials.bytes = gltf.bytes;
     model.cameras = std::move(gltf.cameras);
     model.unnamed_one_sided = true; // as glTF's default material
+    model.animations = std::move(gltf.animations);
+    model.reach = gltf.reach;
     count(model, std::move(gltf.polygons), gltf.skipped);
     return model;
 }
@@ -201,6 +205,8 @@ Result<ReadModel> read(const std::string& path, const LoadOptions& options, Warn
     TRY(const ModelFormat format, options.format ? Result<ModelFormat>(*options.format)
                                                  : tell_format(file.text(), file.size(), name));
     if (options.format_read != nullptr) *options.format_read = format;
+    if (options.animation && format != ModelFormat::gltf)
+        return fail(Exit::usage, "{}: has no animations: leave --animation out", name);
     const FormatReader& reader = *std::find_if(kReaders.begin(), kReaders.end(),
                                                [&](const auto& r) { return r.format == format; });
     // What is read leaves memory at once: the file never stands beside its mesh.
@@ -214,6 +220,7 @@ Result<ReadModel> read(const std::string& path, const LoadOptions& options, Warn
     };
     Reading how{.jobs = options.jobs, .allow_outside = options.allow_outside};
     how.lines = options.source != nullptr;
+    how.animation = options.animation;
     how.memory_bytes = memory.bytes();
     how.texture_bytes = std::min(how.texture_bytes, memory.bytes());
     auto model = reader.read(file.text(), name, warnings, progress, how);
@@ -289,6 +296,7 @@ Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& o
         std::min(options.crease_degrees, model.crease_limit_degrees), options.jobs, {}, {}};
     build.uv_step = options.clamps ? std::vector(model.materials.materials.size(), DVec2(0))
                                    : scene::uv_steps(model.materials.materials);
+    build.reach = model.reach;
     if (options.progress)
         build.progress = [&](double fraction) {
             return options.progress(model.done + fraction * (1 - model.done));
@@ -308,6 +316,8 @@ Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& o
     scene.unnamed.one_sided = model.unnamed_one_sided;
     scene.textures = std::move(model.materials.textures);
     scene.cameras = std::move(model.cameras);
+    scene.animations = std::move(model.animations);
+    scene.animated = model.reach.has_value();
     scene.counts = model.counts;
     scene.counts.faces -= built.skipped_faces;
     scene.counts.lines -= built.skipped_lines;

@@ -5,6 +5,7 @@
 #include "base/result.h"
 #include "base/warnings.h"
 #include "geom/polygon_mesh.h"
+#include "io/animation_moment.h"
 #include "io/formats.h"
 #include "scene/scene.h"
 
@@ -53,7 +54,8 @@ struct LoadOptions {
     ModelSource* source = nullptr;            // filled when given
     // Filled when given: paths of the material libraries that were read.
     std::vector<std::string>* libraries = nullptr;
-    std::optional<ModelFormat> format; // given: what the file is, whatever it looks like
+    std::optional<AnimationMoment> animation; // none: the model at rest
+    std::optional<ModelFormat> format;        // given: what the file is, whatever it looks like
 };
 
 // The format is told by the content and, where that says nothing, by the extension (any case);

@@ -5,9 +5,11 @@
 #pragma once
 
 #include "base/jobs.h"
+#include "io/animation_moment.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -23,8 +25,9 @@ struct Reading {
     std::size_t* read_again = nullptr; // counts the parts that had to be, where given
     std::uint64_t texture_bytes = kTextureBytes;
     std::uint64_t memory_bytes = ~std::uint64_t{0}; // that the model may take
-    bool allow_outside = false; // files outside of the model's folder may be read
-    bool lines = false;         // note where elements stand, in formats of lines
+    bool allow_outside = false;               // files outside of the model's folder may be read
+    bool lines = false;                       // note where elements stand, in formats of lines
+    std::optional<AnimationMoment> animation; // of a file that has some; none: at rest
 };
 
 class TextParts {

@@ -41,7 +41,10 @@ struct Scene {
     Material unnamed;
     std::vector<Texture> textures;
     ModelCounts counts;
-    std::vector<std::string> cameras; // that the file describes, one line each; none is used
+    std::vector<std::string> cameras;    // that the file describes, one line each; none is used
+    std::vector<std::string> animations; // that the file has, by name
+    // A moment of an animation is drawn, framed by the mesh's box, which holds all moments of it.
+    bool animated = false;
     // Renderers may cache data of a scene while this stays the same; 0: they cache nothing. Two
     // loaded scenes never share one.
     std::uint64_t revision = 0;
