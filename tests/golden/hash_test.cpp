@@ -33,6 +33,7 @@ std::vector<Shot> hashed_shots() {
             s.options.samples = samples > 1 && covered ? 8 : samples;
             // At this size adaptive interpolation is exact.
             if (s.name == "samples_8" || s.name == "interpolate_perspective") continue;
+            if (s.name == "cull_material") continue; // cull_back: its one material has one side
             // A number of samples is said above; the others have their own.
             if (s.options.aa != "auto" &&
                 (samples > 1 || s.options.aa == "none" || s.options.aa.starts_with("samples")))
