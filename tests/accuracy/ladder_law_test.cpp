@@ -66,6 +66,13 @@ std::vector<Subject> subjects() {
     all.push_back({"crossing planes", "depth", {test::depth_kept("", "auto")}});
     all.push_back(turned(spot(), ""));
     all.push_back(turned(test::shipped("suzanne/suzanne.obj", 80, 60), ""));
+    Shot bent = test::shipped("suzanne/suzanne.obj", 120, 90); // quads that are not flat
+    bent.camera.azimuth_degrees = 30;
+    bent.camera.elevation_degrees = 20;
+    bent.options.lights = {test::light_of(scene::LightKind::directional, 1.0)};
+    bent.options.lights[0].casts = true;
+    bent.options.lights[0].towards = {2, 3, -2};
+    all.push_back(turned(bent, "shadow"));
     for (const double light_size : {0.0, 60.0})
         all.push_back(turned(test::cornell_box(72, light_size), ""));
     return all;

@@ -16,8 +16,11 @@ constinit const ShadowStage volume{
                "exact and hard",
       .source = "Crow 1977, Everitt and Kilgard 2002",
       .kind = Kind::rung,
-      .may_err_more = {"map_soft", "its shadows are those of a point of light: where a light has "
-                                   "a size, they lack the penumbra"}},
+      .may_err_more = {"map map_pcf map_soft",
+                       "its shadows are those of a point of light: where a light has a size, they "
+                       "lack the penumbra; and where smooth normals receive a light that the face "
+                       "turns away from, they are counted on the face, not on the round surface "
+                       "above it"}},
      Pass::shadow,
      {.primitive = true, .facing = true}, // positions come with lights that have one
      shadow_by_counts},
