@@ -67,6 +67,9 @@ Result<PictureFormat> check_render(const Settings& s) {
                     s.output, models);
     if (models > 1 && std::count(s.arguments.begin(), s.arguments.end(), "-") > 0)
         return fail(Exit::usage, "- is standard input: draw it alone");
+    if (!s.animation.empty() && s.range && s.arguments.front() == "-")
+        return fail(Exit::usage, "- is read once, an animation's file for each frame: name the "
+                                 "file, or draw one moment by --time");
     if (s.reference && s.frames > 1)
         return fail(Exit::usage, "--frames {} times the renderer; --reference draws once",
                     s.frames);
@@ -239,11 +242,28 @@ private:
             sheet_ || settings.output.empty() ? nullptr : make_output(settings, format_);
         PictureOutput* const output = own ? own.get() : sheet_.get();
         RenderRun run(settings, format_, model, camera, output, jobs_);
-        for (int index = 0; index < pictures(settings); ++index)
-            if (is_drawn(all_, number, index)) TRY_VOID(run.draw(index, report));
+        LoadedModel moment; // of an animation, for each frame anew
+        for (int index = 0; index < pictures(settings); ++index) {
+            if (!is_drawn(all_, number, index)) continue;
+            if (model.scene.animated && settings.range) {
+                TRY(moment, model_at(settings, index, model));
+                run.use(moment);
+            }
+            TRY_VOID(run.draw(index, report));
+        }
         if (own) TRY_VOID(own->finish());
         rendered.blank = run.drew_a_blank();
         return rendered;
+    }
+
+    Result<LoadedModel> model_at(const Settings& settings, int index, const LoadedModel& model) {
+        Settings then = settings;
+        then.time = seconds_of(settings, index);
+        then.range.reset();
+        const geom::Mesh& mesh = model.whole_mesh();
+        return load_model(
+            settings.arguments.front(), then, jobs_, [](double) { return true; }, nullptr,
+            io::Reach(mesh.box_min, mesh.box_max));
     }
 
     // A model that cannot be drawn ends a run of one; of several, the others are drawn

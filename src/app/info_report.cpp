@@ -176,6 +176,8 @@ std::vector<std::string> info_lines(const ModelInfo& info) {
             lines.push_back(one);
     for (const std::string& camera : info.cameras)
         lines.push_back(line("camera", camera));
+    for (std::size_t i = 0; i < info.animations.size(); ++i)
+        lines.push_back(line("animation", fmt::format("{} {}", i, info.animations[i])));
     return lines;
 }
 
@@ -227,6 +229,7 @@ std::string info_json(const ModelInfo& info) {
                    {"textures", std::move(maps)},
                    {"transform", info.transform ? transform_json(*info.transform) : Json(nullptr)},
                    {"cameras", info.cameras},
+                   {"animations", info.animations},
                    {"warnings", info.warnings},
                    {"version", SCANOUT_VERSION}}));
 }

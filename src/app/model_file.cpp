@@ -2,6 +2,7 @@
 
 #include "app/files.h"
 #include "app/message.h"
+#include "app/moving/moment.h"
 #include "app/progress_bar.h"
 #include "app/texture_file.h"
 #include "base/stopwatch.h"
@@ -33,8 +34,8 @@ static void override_materials(const Settings& settings, scene::Scene& scene) {
 }
 
 Result<LoadedModel> load_model(const std::string& path, const Settings& settings, Jobs& jobs,
-                               const std::function<bool(double)>& progress,
-                               io::ModelSource* source) {
+                               const std::function<bool(double)>& progress, io::ModelSource* source,
+                               const std::optional<io::Reach>& reach) {
     if (path != "-") TRY_VOID(check_readable(path));
     const Stopwatch watch;
     Warnings warnings;
@@ -48,6 +49,8 @@ Result<LoadedModel> load_model(const std::string& path, const Settings& settings
     options.split_t_vertices = settings.split_t_vertices && source == nullptr; // as the file has it
     options.unnamed_colour = settings.unnamed_colour;
     options.clamps = settings.frame.wrap == "clamp";
+    if (!settings.animation.empty())
+        options.animation = {settings.animation, seconds_of(settings, 0), reach};
     io::LoadTimes times;
     options.times = &times;
     io::ModelFormat format{};
@@ -88,12 +91,30 @@ scene::CameraOptions camera_of(const Settings& settings, const LoadedModel& mode
     return camera;
 }
 
+// The corners of a mesh's box, framed as the mesh is.
+static geom::Mesh box_of(const geom::Mesh& mesh) {
+    geom::Mesh box;
+    box.centre = mesh.centre;
+    box.exponent = mesh.exponent;
+    box.radius = mesh.radius;
+    for (unsigned i = 0; i < 8; ++i) {
+        const DVec3 corner((i & 1U) != 0 ? mesh.box_max.x : mesh.box_min.x,
+                           (i & 2U) != 0 ? mesh.box_max.y : mesh.box_min.y,
+                           (i & 4U) != 0 ? mesh.box_max.z : mesh.box_min.z);
+        box.position.emplace_back(scene::radii_from_centre(mesh, corner) * double{mesh.radius});
+    }
+    return box;
+}
+
 scene::CameraOptions fitted_camera_of(const Settings& settings, const LoadedModel& model) {
     const double aspect = static_cast<double>(settings.frame.width) / settings.frame.height;
     const scene::CameraOptions camera = camera_of(settings, model);
+    // Of an animation all moments: the box that holds them.
+    const geom::Mesh box = model.scene.animated ? box_of(model.whole_mesh()) : geom::Mesh();
+    const geom::Mesh& mesh = model.scene.animated ? box : model.whole_mesh();
     if (settings.motion)
-        return scene::fitted(model.whole_mesh(), settings.model, camera, aspect, *settings.motion);
-    return scene::fitted(model.whole_mesh(), settings.model, camera, aspect, settings.turntable);
+        return scene::fitted(mesh, settings.model, camera, aspect, *settings.motion);
+    return scene::fitted(mesh, settings.model, camera, aspect, settings.turntable);
 }
 
 Result<LoadedModel> load_model_with_messages(const std::string& path, const Settings& settings,

@@ -34,10 +34,12 @@ scene::CameraOptions camera_of(const Settings& settings, const LoadedModel& mode
 scene::CameraOptions fitted_camera_of(const Settings& settings, const LoadedModel& model);
 
 // `progress` is called with the fraction of the work that is done; false cancels.
-// The path "-" is standard input. `source` is filled when given.
+// The path "-" is standard input. `source` is filled when given. reach: of --animation, where it is
+// known.
 Result<LoadedModel> load_model(const std::string& path, const Settings& settings, Jobs& jobs,
                                const std::function<bool(double)>& progress,
-                               io::ModelSource* source = nullptr);
+                               io::ModelSource* source = nullptr,
+                               const std::optional<io::Reach>& reach = {});
 
 // As load_model, with a progress bar on standard error when it is a terminal and loading takes
 // over a second, and the warnings printed; neither with --quiet.

@@ -48,6 +48,7 @@ ModelInfo model_info(const LoadedModel& model, const io::ModelSource& source, Jo
     info.box_min = scene.mesh.box_min;
     info.box_max = scene.mesh.box_max;
     info.cameras = scene.cameras;
+    info.animations = scene.animations;
     for (const scene::Material& material : scene.materials) // a nameless one is a face's colour
         if (!material.name.empty()) info.materials.push_back(material.name);
     info.face_colours = info.materials.size() < scene.materials.size() && !info.colours;

@@ -42,6 +42,7 @@ struct ModelInfo {
     std::vector<MapInfo> maps;
     std::optional<scene::Placement> transform; // by options; nothing where none is given
     std::vector<std::string> cameras;          // of the file, one line each
+    std::vector<std::string> animations;       // their names
     std::vector<std::string> warnings;
     double load_ms = 0;
 };

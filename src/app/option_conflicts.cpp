@@ -50,8 +50,8 @@ static Result<void> check_window(const Settings& s) {
 
 static Result<void> check_motion(const Settings& s) {
     const bool moves = !s.motion_file.empty();
-    if (!moves && (s.time || s.range))
-        return fail(Exit::usage, "{} is of a motion: say --motion FILE",
+    if (!moves && s.animation.empty() && (s.time || s.range))
+        return fail(Exit::usage, "{} is of a motion: say --motion FILE, or --animation NAME",
                     s.time ? "--time" : "--frames A..B");
     if (s.time && s.range)
         return fail(Exit::usage, "--time is one moment, --frames A..B are many: give one of them");

@@ -377,8 +377,12 @@ constexpr std::array kOptions = std::to_array<Option>({
      Text([](Settings& s) -> std::string& { return s.motion_file; }),
      "move model, camera and lights by the keys of a TOML file (docs/MOTION.md); view plays it, "
      "Space pauses"},
+    {"animation", 0, "NAME|N", "", "", 0, 0, Group::model, kDraw,
+     Text([](Settings& s) -> std::string& { return s.animation; }),
+     "pose a glTF model by its animation of this name or number, at --time or by --frames A..B; "
+     "view shows that moment"},
     {"time", 0, "SECONDS", "", "0", 0, 1e9, Group::model, kDraw, Parsed(read_time),
-     "of --motion: this moment; view begins with it, and waits for Space"},
+     "of --motion or --animation: this moment; view begins with it, and waits for Space"},
 
     {"backend", 0, "", "auto drm fbdev headless terminal", "auto", 0, 0, Group::display, kView,
      Choice([](Settings& s, std::size_t i) { s.backend = static_cast<Backend>(i); }),
@@ -449,7 +453,8 @@ constexpr std::array kOptions = std::to_array<Option>({
      "draw with the quickest rungs that err no more against the reference: root mean square of "
      "sRGB codes, 0 to 255; with --budget: within that time"},
     {"frames", 0, "A..B|N", "", "1", 0, 0, Group::times, kRender, Parsed(read_frames),
-     "A..B: draw frames A to B of --motion, --fps a second; -o wants {frame} in the name. N: draw "
+     "A..B: draw frames A to B of --motion or --animation, --fps a second; -o wants {frame} in the "
+     "name. N: draw "
      "each picture N times, for times in --json"},
     {"threads", 't', "N", "", "0", 0, 256, Group::times, kRead | kMake | kGenerate,
      Integer([](Settings& s) -> int& { return s.threads; }),

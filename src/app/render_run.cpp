@@ -23,8 +23,8 @@ namespace scanout::app {
 
 RenderRun::RenderRun(const Settings& settings, PictureFormat format, const LoadedModel& model,
                      const scene::CameraOptions& camera, PictureOutput* output, Jobs& jobs)
-    : settings_(settings), format_(format), scene_(model.scene), camera_(camera),
-      plan_(frame::facts(scene_, settings.frame.shadow_plane)), options_(settings.frame),
+    : settings_(settings), format_(format), scene_(&model.scene), camera_(camera),
+      plan_(frame::facts(*scene_, settings.frame.shadow_plane)), options_(settings.frame),
       jobs_(jobs), renderer_(jobs), output_(output) {}
 
 // Over the finished picture, as the viewer draws it.
@@ -32,10 +32,15 @@ image::Image RenderRun::with_measured(const image::Image& picture, const scene::
     image::Image drawn = picture;
     Overlay overlay;
     overlay.measured =
-        measured_marks(settings_.measured, view, scene_.mesh, picture.width(), picture.height());
+        measured_marks(settings_.measured, view, scene_->mesh, picture.width(), picture.height());
     overlay.message = fmt::format("{}", fmt::join(measured_text(settings_.measured), "\n"));
     draw_overlay(drawn, overlay);
     return drawn;
+}
+
+void RenderRun::use(const LoadedModel& model) {
+    scene_ = &model.scene;
+    plan_ = frame::PlanCache(frame::facts(*scene_, settings_.frame.shadow_plane));
 }
 
 Result<void> RenderRun::draw(int index, RunReport& report) {
@@ -45,7 +50,7 @@ Result<void> RenderRun::draw(int index, RunReport& report) {
     const double seconds = seconds_of(settings_, index);
     const Moment now = moment_of(settings_, camera_, seconds);
     put_lights(settings_, seconds, options_.lights);
-    TRY(const scene::View view, scene::make_view(scene_.mesh, now.model, pose, now.camera, {},
+    TRY(const scene::View view, scene::make_view(scene_->mesh, now.model, pose, now.camera, {},
                                                  options_.width, options_.height));
     TRY(const frame::FramePlan* const plan, plan_.plan(options_, view));
     if (first_) tell(*plan, report);
@@ -54,7 +59,7 @@ Result<void> RenderRun::draw(int index, RunReport& report) {
     const image::Image *picture = nullptr, *shown = nullptr;
     image::Image measured;
     for (int repeat = 0; repeat < settings_.frames; ++repeat) {
-        picture = shown = &renderer_.render(scene_, view, *plan);
+        picture = shown = &renderer_.render(*scene_, view, *plan);
         if (!settings_.measured.empty()) shown = &(measured = with_measured(*picture, view));
         if (settings_.json)
             report.frames.push_back({index, hash_of(*shown), picture->width(), picture->height(),
@@ -66,14 +71,14 @@ Result<void> RenderRun::draw(int index, RunReport& report) {
 
 Result<void> RenderRun::draw_textbook(int index, const scene::View& view,
                                       const frame::FramePlan& plan, RunReport& report) {
-    if (first_) warn(left_out_of_textbook(plan, scene_), settings_, report.warnings);
+    if (first_) warn(left_out_of_textbook(plan, *scene_), settings_, report.warnings);
     const textbook::Look look = textbook_look_of(plan);
     const textbook::Parts parts = textbook::parts_of(*settings_.renderer, settings_.parts);
     textbook::Picture made;
     frame::FrameStats stats;
     for (int repeat = 0; repeat < settings_.frames; ++repeat) {
         const Stopwatch watch;
-        made = textbook::render(scene_, view, look, parts);
+        made = textbook::render(*scene_, view, look, parts);
         stats.total_ms = watch.milliseconds();
         stats.triangles_submitted = made.submitted;
         stats.triangles_drawn = made.drawn;
@@ -89,12 +94,12 @@ Result<void> RenderRun::draw_textbook(int index, const scene::View& view,
 Result<void> RenderRun::draw_reference(int index, const scene::View& view,
                                        const frame::FramePlan& plan, RunReport& report) {
     TRY(const trace::Look look, look_of(plan));
-    TRY_VOID(check_reference_fits(scene_, look.width, look.height, settings_.max_memory_mb));
-    if (first_) warn(left_out_of_reference(scene_), settings_, report.warnings);
+    TRY_VOID(check_reference_fits(*scene_, look.width, look.height, settings_.max_memory_mb));
+    if (first_) warn(left_out_of_reference(*scene_), settings_, report.warnings);
     const Stopwatch watch;
-    std::optional<ProgressBar> bar(std::in_place, "tracing " + scene_.path, settings_.quiet);
+    std::optional<ProgressBar> bar(std::in_place, "tracing " + scene_->path, settings_.quiet);
     TRY(trace::Reference made,
-        trace::render(scene_, view, look, jobs_, [&](double fraction) { bar->show(fraction); },
+        trace::render(*scene_, view, look, jobs_, [&](double fraction) { bar->show(fraction); },
                       {settings_.reference_samples > 0
                            ? static_cast<std::uint32_t>(settings_.reference_samples)
                            : trace::kMostSamples}));
@@ -137,7 +142,7 @@ void RenderRun::tell(const frame::FramePlan& plan, RunReport& report) const {
 void RenderRun::tell_if_blank(const scene::View& view, const frame::FramePlan& plan,
                               const image::Image& picture, const frame::FrameStats& stats,
                               RunReport& report) {
-    const auto why = frame::why_blank(scene_, view, camera_.up, plan, stats, picture);
+    const auto why = frame::why_blank(*scene_, view, camera_.up, plan, stats, picture);
     if (!why) return;
     drew_a_blank_ = true;
     if (std::exchange(told_blank_, true)) return; // of several pictures, once
@@ -177,7 +182,7 @@ Result<void> RenderRun::write(const image::Image& picture, int index, RunReport&
 }
 
 std::string RenderRun::caption_of(int index) const {
-    const std::string name = file_name_of(scene_.path);
+    const std::string name = file_name_of(scene_->path);
     if (settings_.range) return fmt::format("{} {:.4g} s", name, seconds_of(settings_, index));
     if (pictures(settings_) == 1) return name;
     return fmt::format("{} {:.4g} degrees", name, 360.0 * index / pictures(settings_));

@@ -21,6 +21,8 @@ public:
     RenderRun(const RenderRun&) = delete; // references into it
     RenderRun& operator=(const RenderRun&) = delete;
 
+    // The same model at another moment: it outlives what is drawn of it.
+    void use(const LoadedModel& model);
     // Appends to the report what was drawn.
     Result<void> draw(int index, RunReport& report);
     // Was one of the pictures its background everywhere?
@@ -45,7 +47,7 @@ private:
 
     const Settings& settings_;
     PictureFormat format_;
-    const scene::Scene& scene_;
+    const scene::Scene* scene_;
     scene::CameraOptions camera_;
     frame::PlanCache plan_;
     frame::FrameOptions options_; // of the settings, with the lights of the picture's moment

@@ -156,6 +156,7 @@ struct Settings {
     int frames = 1;            // how often each picture is drawn, for times
     int fps = 30;              // pictures a second of an animation, frames a second of a motion
     std::string motion_file;
+    std::string animation;               // of the model's file, by name or number
     std::optional<scene::Motion> motion; // of the file, once it is read
     std::optional<double> time;          // --time, seconds
     std::optional<FrameRange> range;     // --frames A..B

@@ -34,10 +34,10 @@ std::string quoted(const std::string& word) {
 }
 
 bool says_the_view(std::string_view option) {
-    constexpr std::array<std::string_view, 18> kWritten = {
+    constexpr std::array<std::string_view, 17> kWritten = {
         "size",    "cull",        "colour-by", "edges",     "annotate", "section",
         "measure", "scale",       "rotate",    "translate", "exposure", "background",
-        "shear",   "rotate-axis", "matrix",    "about",     "motion",   "time"};
+        "shear",   "rotate-axis", "matrix",    "about",     "motion"};
     return std::find(kWritten.begin(), kWritten.end(), option) != kWritten.end() ||
            std::find(kSwitchedAxes.begin(), kSwitchedAxes.end(), option) != kSwitchedAxes.end();
 }
@@ -66,6 +66,8 @@ std::string given_options(const Settings& settings, const Rendering& rendering) 
             return o.name == given.name && belongs(o, Command::render);
         });
         if (option == options().end() || says_the_view(option->name)) continue;
+        if (option->name == "time" && settings.animation.empty())
+            continue;                                        // the view is its moment
         if (option->name == "samples" && names_aa) continue; // two ways to ask for the same
         if (option->group != Group::picture && option->group != Group::model &&
             option->name != "pixel-format")
