@@ -54,7 +54,7 @@ struct LoadOptions {
     ModelSource* source = nullptr;            // filled when given
     // Filled when given: paths of the material libraries that were read.
     std::vector<std::string>* libraries = nullptr;
-    std::optional<AnimationMoment> animation; // none: the model at rest
+    std::optional<AnimationMoment> animation{}; // none: the model at rest
     std::optional<ModelFormat> format;        // given: what the file is, whatever it looks like
 };
 

@@ -25,9 +25,9 @@ struct Reading {
     std::size_t* read_again = nullptr; // counts the parts that had to be, where given
     std::uint64_t texture_bytes = kTextureBytes;
     std::uint64_t memory_bytes = ~std::uint64_t{0}; // that the model may take
-    bool allow_outside = false;               // files outside of the model's folder may be read
-    bool lines = false;                       // note where elements stand, in formats of lines
-    std::optional<AnimationMoment> animation; // of a file that has some; none: at rest
+    bool allow_outside = false;                 // files outside of the model's folder may be read
+    bool lines = false;                         // note where elements stand, in formats of lines
+    std::optional<AnimationMoment> animation{}; // of a file that has some; none: at rest
 };
 
 class TextParts {
