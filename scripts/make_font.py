@@ -99,7 +99,7 @@ def source(pcf, file_name, variable):
         f"// Made by scripts/make_font.py from {file_name}.pcf of X11's misc-fixed fonts (Debian: xfonts-base):",
         f"// {properties['FONT']}",
         f"// Copyright notice of the font: \"{properties['COPYRIGHT']}\"",
-        '#include "app/font.h"',
+        '#include "app/overlay/font.h"',
         "",
         "#include <array>",
         "",

@@ -4,7 +4,7 @@
 #include "base/warnings.h"
 #include "bench/meshes/shapes.h"
 #include "geom/build.h"
-#include "io/obj.h"
+#include "io/obj/obj.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 // second. OBJ must reach 100 MB/s on 50 MB on one thread (the grids are a little over).
 #include "bench/meshes/meshes.h"
 #include "geom/build.h"
-#include "io/obj.h"
-#include "io/stl.h"
+#include "io/obj/obj.h"
+#include "io/stl/stl.h"
 #include "tests/io/grid.h"
 
 #include <algorithm>

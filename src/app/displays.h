@@ -2,7 +2,7 @@
 // console/, and no_console/ in a program that was built without (SCANOUT_DISPLAYS=OFF).
 #pragma once
 
-#include "app/settings.h"
+#include "app/options/settings.h"
 #include "base/result.h"
 #include "port/display.h"
 #include "port/input.h"

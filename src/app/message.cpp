@@ -1,6 +1,6 @@
 #include "app/message.h"
 
-#include "app/text.h"
+#include "app/overlay/text.h"
 
 #include <fmt/format.h>
 
@@ -41,6 +41,13 @@ void say(std::string_view line, std::FILE* to) {
 void say_over(std::string_view line) {
     constexpr const char* kClear = "\r\x1b[K"; // to the line's start, erase to its end (ECMA-48)
     std::fputs((kClear + escaped(line)).c_str(), stderr);
+}
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kBlanks = " \t\r";
+    const std::size_t start = text.find_first_not_of(kBlanks);
+    if (start == std::string_view::npos) return {};
+    return text.substr(start, text.find_last_not_of(kBlanks) - start + 1);
 }
 
 } // namespace scanout::app

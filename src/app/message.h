@@ -12,6 +12,9 @@ namespace scanout::app {
 // marks that change the writing direction, and invalid UTF-8.
 std::string escaped(std::string_view text);
 
+// Without blanks, tabs and carriage returns at both ends.
+std::string_view trimmed(std::string_view text);
+
 // Writes the line, escaped, with one write(2): lines of several processes do not mix.
 void say(std::string_view line, std::FILE* to = stderr);
 

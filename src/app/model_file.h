@@ -1,7 +1,7 @@
 // Loading a model for a command: progress on a terminal, warnings, the time it took.
 #pragma once
 
-#include "app/settings.h"
+#include "app/options/settings.h"
 #include "base/jobs.h"
 #include "base/result.h"
 #include "base/warnings.h"

@@ -1,7 +1,7 @@
-#include "app/command_line.h"
-#include "app/commands.h"
+#include "app/command/commands.h"
 #include "app/message.h"
 #include "app/model_file.h"
+#include "app/options/command_line.h"
 #include "base/float_environment.h"
 #include "base/memory.h"
 

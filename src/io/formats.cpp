@@ -1,10 +1,10 @@
 #include "io/formats.h"
 
 #include "io/cursor.h"
-#include "io/gltf.h"
+#include "io/gltf/gltf.h"
 #include "io/off.h"
-#include "io/ply_header.h"
-#include "io/stl.h"
+#include "io/ply/header.h"
+#include "io/stl/stl.h"
 #include "io/text.h"
 
 #include <algorithm>

@@ -5,14 +5,14 @@
 #include "geom/build.h"
 #include "geom/diagnose/diagnose.h"
 #include "geom/mend_seams.h"
-#include "io/gltf.h"
+#include "io/gltf/gltf.h"
 #include "io/gzip.h"
 #include "io/materials.h"
 #include "io/memory_limit.h"
-#include "io/obj.h"
+#include "io/obj/obj.h"
 #include "io/off.h"
-#include "io/ply.h"
-#include "io/stl.h"
+#include "io/ply/ply.h"
+#include "io/stl/stl.h"
 #include "scene/uv_step.h"
 
 #include <algorithm>

@@ -55,7 +55,7 @@ struct LoadOptions {
     // Filled when given: paths of the material libraries that were read.
     std::vector<std::string>* libraries = nullptr;
     std::optional<AnimationMoment> animation{}; // none: the model at rest
-    std::optional<ModelFormat> format;        // given: what the file is, whatever it looks like
+    std::optional<ModelFormat> format;          // given: what the file is, whatever it looks like
 };
 
 // The format is told by the content and, where that says nothing, by the extension (any case);

@@ -4,8 +4,8 @@
 #include "image/codec.h"
 #include "io/find_file.h"
 #include "io/hidden_colours.h"
-#include "io/mtl.h"
 #include "io/normal_maps.h"
+#include "io/obj/mtl.h"
 #include "io/text.h"
 
 #include <algorithm>

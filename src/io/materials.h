@@ -3,7 +3,7 @@
 
 #include "base/warnings.h"
 #include "io/find_file.h"
-#include "io/obj.h"
+#include "io/obj/obj.h"
 #include "io/text_parts.h"
 #include "scene/material.h"
 

@@ -2,7 +2,7 @@
 
 #include "base/available_memory.h"
 #include "base/memory.h"
-#include "io/stl.h"
+#include "io/stl/stl.h"
 
 #include <algorithm>
 

@@ -22,8 +22,9 @@
 // are compiled for the baseline and cannot be inlined. Headers with lanes are named *-inl.h and
 // come after this one.
 //
-// The build compiles several kernel files together (cmake/unity.cmake): SIMD_UNIT is then the file that includes
-// them, and is read once for every target in their place, so that one reading of Highway serves all of them.
+// The build compiles several kernel files together (cmake/unity.cmake): SIMD_UNIT is then the file
+// that includes them, and is read once for every target in their place, so that one reading of
+// Highway serves all of them.
 #undef HWY_TARGET_INCLUDE
 #ifdef SIMD_UNIT
 #define HWY_TARGET_INCLUDE SIMD_UNIT

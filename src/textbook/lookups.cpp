@@ -1,8 +1,8 @@
 // From the rows of methods.h to the functions that they name.
-#include "textbook/clip.h"
-#include "textbook/hidden.h"
-#include "textbook/interpolation.h"
-#include "textbook/line.h"
+#include "textbook/clip/clip.h"
+#include "textbook/hidden/hidden.h"
+#include "textbook/interpolation/interpolation.h"
+#include "textbook/line/line.h"
 
 namespace scanout::textbook {
 

@@ -1,6 +1,6 @@
 #include "textbook/projection.h"
 
-#include "textbook/hidden.h"
+#include "textbook/hidden/hidden.h"
 
 namespace scanout::textbook {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/view.h"
-#include "textbook/clip.h"
+#include "textbook/clip/clip.h"
 
 namespace scanout::textbook {
 

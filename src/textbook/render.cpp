@@ -1,10 +1,10 @@
 #include "textbook/render.h"
 
 #include "math/srgb.h"
-#include "textbook/hidden.h"
-#include "textbook/interpolation.h"
+#include "textbook/hidden/hidden.h"
+#include "textbook/interpolation/interpolation.h"
 #include "textbook/light.h"
-#include "textbook/line.h"
+#include "textbook/line/line.h"
 #include "textbook/texture.h"
 #include "textbook/wires.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "math/vec.h"
-#include "textbook/fill.h"
+#include "textbook/fill/fill.h"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // A picture that tests ask for, with the reference of it.
 #pragma once
 
-#include "app/reference.h"
+#include "app/picture/reference.h"
 #include "frame/facts/facts.h"
 #include "io/load.h"
 #include "measure/ladder.h"

@@ -1,5 +1,5 @@
-#include "app/accuracy_overlay.h"
-#include "app/text_block.h"
+#include "app/overlay/accuracy_overlay.h"
+#include "app/overlay/text_block.h"
 #include "image/heat_map.h"
 
 #include <algorithm>

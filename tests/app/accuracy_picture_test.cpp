@@ -1,5 +1,5 @@
-#include "app/accuracy_picture.h"
 #include "app/lit_sphere.h"
+#include "app/view/accuracy_picture.h"
 #include "image/heat_map.h"
 #include "image/metrics.h"
 #include "support/random.h"

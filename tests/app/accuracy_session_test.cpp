@@ -1,5 +1,5 @@
 // The viewer converges to the reference, maps its errors and shows both side by side.
-#include "app/reference.h"
+#include "app/picture/reference.h"
 #include "app/session_fixture.h"
 #include "image/heat_map.h"
 #include "trace/render.h"

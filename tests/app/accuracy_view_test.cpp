@@ -1,5 +1,5 @@
-#include "app/accuracy_view.h"
 #include "app/lit_sphere.h"
+#include "app/view/accuracy_view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/bindings.h"
+#include "app/view/bindings.h"
 
 #include <map>
 

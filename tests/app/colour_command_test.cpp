@@ -1,5 +1,5 @@
 // scanout colour from outside: one colour in every model, both ways; channels of a picture.
-#include "app/colour_value.h"
+#include "app/options/colour_value.h"
 #include "app/program_fixture.h"
 #include "image/codec.h"
 #include "image/colour_models.h"

@@ -1,7 +1,7 @@
 // The program as a whole: help, exit codes, files, render and compare.
 #include "app/message.h"
 #include "app/program_fixture.h"
-#include "app/report.h"
+#include "app/report/report.h"
 #include "image/codec.h"
 #include "image/hash.h"
 #include "simd/targets.h"

@@ -1,5 +1,5 @@
-#include "app/composer.h"
-#include "app/pointer.h"
+#include "app/picture/composer.h"
+#include "app/view/pointer.h"
 #include "port/headless.h"
 #include "support/random.h"
 

@@ -1,4 +1,4 @@
-#include "app/event_loop.h"
+#include "app/view/event_loop.h"
 
 #include <gtest/gtest.h>
 #include <sys/eventfd.h>

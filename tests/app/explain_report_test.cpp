@@ -1,5 +1,5 @@
-#include "app/explain_report.h"
-#include "app/report.h"
+#include "app/report/explain_report.h"
+#include "app/report/report.h"
 
 #include <sstream>
 

@@ -1,6 +1,6 @@
 // Files that change while they are shown: what inotify tells of them, and the viewer with --watch.
-#include "app/file_watch.h"
 #include "app/session_fixture.h"
+#include "app/view/file_watch.h"
 
 #include <cstdio>
 #include <functional>

@@ -1,5 +1,5 @@
 #include "app/files.h"
-#include "app/picture.h"
+#include "app/picture/picture.h"
 #include "support/temporary_folder.h"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // The camera that flies, moves in depth, scale along one axis, and inertia.
-#include "app/command_line.h"
-#include "app/view_command.h"
+#include "app/options/command_line.h"
+#include "app/view/view_command.h"
 #include "viewer_bench.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "app/frontier_cache.h"
-#include "app/frontier_key.h"
-#include "app/options.h"
+#include "app/frontier/cache.h"
+#include "app/frontier/key.h"
+#include "app/options/options.h"
 #include "support/temporary_folder.h"
 
 #include <chrono>

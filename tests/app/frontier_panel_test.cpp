@@ -1,6 +1,6 @@
-#include "app/frontier_panel.h"
-#include "app/overlay.h"
-#include "app/text_block.h"
+#include "app/overlay/frontier_panel.h"
+#include "app/overlay/overlay.h"
+#include "app/overlay/text_block.h"
 
 #include <algorithm>
 

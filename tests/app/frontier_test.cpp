@@ -1,7 +1,7 @@
-#include "app/chart_axes.h"
-#include "app/frontier_report.h"
+#include "app/frontier/chart_axes.h"
+#include "app/frontier/report.h"
 #include "app/interrupt.h"
-#include "app/markup.h"
+#include "app/report/markup.h"
 #include "support/scenes.h"
 
 #include <csignal>

@@ -1,6 +1,6 @@
 // scanout generate from outside: pictures and models by formulas. tests/cli/completions.py asks for
 // the documents.
-#include "app/commands.h"
+#include "app/command/commands.h"
 #include "app/program_fixture.h"
 #include "formula/formula.h"
 #include "image/codec.h"

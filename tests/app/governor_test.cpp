@@ -1,4 +1,4 @@
-#include "app/governor.h"
+#include "app/view/governor.h"
 #include "support/random.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 // D in the viewer: the hazards of the file, and the worst place of each.
-#include "app/live_doctor.h"
-#include "app/viewer.h"
+#include "app/view/live_doctor.h"
+#include "app/view/viewer.h"
 #include "support/meshes.h"
 #include "support/temporary_folder.h"
 

@@ -1,10 +1,10 @@
 // The help sheet and the file's warnings, on screens of any size: nothing is lost, nothing is cut
 // off.
-#include "app/actions.h"
-#include "app/overlay.h"
 #include "app/overlay/help_sheet.h"
+#include "app/overlay/overlay.h"
+#include "app/overlay/text_block.h"
 #include "app/overlay/warnings_page.h"
-#include "app/text_block.h"
+#include "app/view/actions.h"
 
 #include <map>
 #include <sstream>

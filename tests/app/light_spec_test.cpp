@@ -1,5 +1,5 @@
 // The option --light: what it says, and what it answers to what it does not understand.
-#include "app/light_spec.h"
+#include "app/options/light_spec.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/live_explain.h"
+#include "app/view/live_explain.h"
 #include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Live switches of the rendering: each goes through its axis, can be undone, and is in the command.
 #include "app/switches/live_switches.h"
 #include "app/switches/switch_note.h"
-#include "app/view_command.h"
+#include "app/view/view_command.h"
 #include "frame/catalogue.h"
 #include "viewer_bench.h"
 

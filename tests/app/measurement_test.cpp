@@ -1,7 +1,7 @@
 // Measuring: figures, the vertices that clicks choose, and what keys and the option show.
-#include "app/command_line.h"
-#include "app/measurement.h"
-#include "app/pick.h"
+#include "app/frontier/measurement.h"
+#include "app/options/command_line.h"
+#include "app/view/pick.h"
 #include "math/bits.h"
 #include "session_fixture.h"
 

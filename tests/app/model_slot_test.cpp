@@ -1,4 +1,4 @@
-#include "app/model_slot.h"
+#include "app/view/model_slot.h"
 #include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/motion_levels.h"
+#include "app/view/motion_levels.h"
 
 #include <gtest/gtest.h>
 

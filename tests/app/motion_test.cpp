@@ -1,4 +1,4 @@
-#include "app/motion.h"
+#include "app/view/motion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/overlay_text.h"
+#include "app/overlay/overlay_text.h"
 #include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "app/bindings.h"
-#include "app/recording.h"
+#include "app/view/bindings.h"
+#include "app/view/recording.h"
 #include "base/mapping.h"
 #include "support/temporary_folder.h"
 

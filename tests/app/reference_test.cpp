@@ -1,4 +1,4 @@
-#include "app/reference.h"
+#include "app/picture/reference.h"
 #include "support/scenes.h"
 #include "trace/render.h"
 

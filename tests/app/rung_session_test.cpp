@@ -1,8 +1,8 @@
 // , and . step along the frontier of the model on show.
-#include "app/budget.h"
-#include "app/frontier_key.h"
+#include "app/frontier/budget.h"
+#include "app/frontier/key.h"
+#include "app/overlay/text_block.h"
 #include "app/session_fixture.h"
-#include "app/text_block.h"
 #include "scene/content.h"
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "app/rung_stepper.h"
+#include "app/view/rung_stepper.h"
 
 #include <gtest/gtest.h>
 

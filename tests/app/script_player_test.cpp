@@ -1,4 +1,4 @@
-#include "app/script_player.h"
+#include "app/view/script_player.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // --section, and the keys that cut the model on show.
-#include "app/command_line.h"
-#include "app/viewer.h"
+#include "app/options/command_line.h"
+#include "app/view/viewer.h"
 #include "session_fixture.h"
 
 #include <sstream>

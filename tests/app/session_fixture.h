@@ -1,7 +1,7 @@
 // Sessions of the viewer without a machine: input that comes by a clock, a display in memory.
 #pragma once
 
-#include "app/view_session.h"
+#include "app/view/view_session.h"
 #include "image/codec.h"
 #include "port/headless.h"
 #include "scene/fit.h"

@@ -1,6 +1,6 @@
 // Options for every run, from a file and from SCANOUT_OPTIONS.
-#include "app/command_line.h"
-#include "app/standing_options.h"
+#include "app/options/command_line.h"
+#include "app/options/standing_options.h"
 #include "support/temporary_folder.h"
 
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // Live switches, overlays and inertia in a whole session: what stands on the display.
-#include "app/overlay_text.h"
+#include "app/overlay/overlay_text.h"
+#include "app/overlay/text_block.h"
 #include "app/session_fixture.h"
-#include "app/text_block.h"
 
 #include <xkbcommon/xkbcommon-keysyms.h>
 

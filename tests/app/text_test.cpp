@@ -1,4 +1,4 @@
-#include "app/text.h"
+#include "app/overlay/text.h"
 
 #include <climits>
 #include <set>

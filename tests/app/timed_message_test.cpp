@@ -1,4 +1,4 @@
-#include "app/timed_message.h"
+#include "app/view/timed_message.h"
 
 #include <gtest/gtest.h>
 

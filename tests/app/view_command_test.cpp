@@ -1,5 +1,5 @@
-#include "app/command_line.h"
-#include "app/view_command.h"
+#include "app/options/command_line.h"
+#include "app/view/view_command.h"
 #include "triangle_mesh.h"
 
 #include <sstream>

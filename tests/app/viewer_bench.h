@@ -1,7 +1,7 @@
 // A viewer of one triangle, without a display.
 #pragma once
 
-#include "app/viewer.h"
+#include "app/view/viewer.h"
 #include "triangle_mesh.h"
 
 namespace scanout::app {

@@ -1,6 +1,6 @@
 // A motion in the viewer: Space plays it, steps of the virtual clock carry it on.
 #include "app/moving/motion_file.h"
-#include "app/picture_key.h"
+#include "app/picture/picture_key.h"
 #include "viewer_bench.h"
 
 #include <string>

@@ -1,5 +1,5 @@
 // A million random interactions, and every way back (HARD-CASES 22-25).
-#include "app/viewer.h"
+#include "app/view/viewer.h"
 #include "support/random.h"
 #include "triangle_mesh.h"
 

@@ -4,8 +4,8 @@
 #include "bench/meshes/shapes.h"
 #include "bench/meshes/write_mesh_file.h"
 #include "frame/renderer.h"
-#include "io/obj.h"
-#include "io/stl.h"
+#include "io/obj/obj.h"
+#include "io/stl/stl.h"
 #include "support/meshes.h"
 
 #include <algorithm>

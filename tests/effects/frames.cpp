@@ -5,7 +5,7 @@
 // one for each effect that the scene does not need, switched off by name. Each is drawn twice, and
 // the second time counts: the first makes room. laws: what the frames are: their hashes, their
 // light, their memory, their lanes.
-#include "app/command_line.h"
+#include "app/options/command_line.h"
 #include "frame/plan/bytes.h"
 #include "frame/renderer.h"
 #include "image/hash.h"

@@ -7,7 +7,7 @@
 #include "image/codec.h"
 #include "image/metrics.h"
 #include "io/load.h"
-#include "io/write_obj.h"
+#include "io/obj/write_obj.h"
 #include "math/srgb.h"
 #include "support/shot.h"
 #include "support/temporary_folder.h"

@@ -1,5 +1,5 @@
 // Any bytes as a glTF or GLB file; it names no file that is there.
-#include "io/gltf.h"
+#include "io/gltf/gltf.h"
 #include "mesh_checks.h"
 
 #include <cstddef>

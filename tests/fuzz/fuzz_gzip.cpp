@@ -1,7 +1,7 @@
 // Any bytes as a gzip file; what it unpacks to is read as an OBJ file.
 #include "base/check.h"
 #include "io/gzip.h"
-#include "io/obj.h"
+#include "io/obj/obj.h"
 #include "mesh_checks.h"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // Any bytes as an MTL file.
 #include "base/check.h"
-#include "io/mtl.h"
+#include "io/obj/mtl.h"
 #include "mesh_checks.h"
 
 #include <cmath>

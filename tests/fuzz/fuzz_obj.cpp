@@ -1,5 +1,5 @@
 // Any bytes as an OBJ file.
-#include "io/obj.h"
+#include "io/obj/obj.h"
 #include "mesh_checks.h"
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Any bytes as a PLY file.
-#include "io/ply.h"
+#include "io/ply/ply.h"
 #include "mesh_checks.h"
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Any bytes as an STL file.
-#include "io/stl.h"
+#include "io/stl/stl.h"
 #include "mesh_checks.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // HARD-CASES 64: colours that are as good as black reach no kernel as denormal numbers, which would
 // slow each pixel.
 #include "folder.h"
-#include "io/mtl.h"
+#include "io/obj/mtl.h"
 #include "io/vertex_colours.h"
 
 #include <cmath>

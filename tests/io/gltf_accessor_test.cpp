@@ -104,7 +104,7 @@ TEST(GltfAccessor, ASparseIndexBeyondTheEndIsRefused) {
               "a.glb: accessors[0]: its 4 sparse elements of 3 are not all there");
 }
 
-struct Reach {
+struct ReachedBytes {
     const char* more;
     std::size_t count;
     const char* says;
@@ -124,17 +124,19 @@ TEST(GltfAccessor, SparseIndicesAreUnsignedWholeNumbers) {
 }
 
 TEST(GltfAccessor, WhatReachesBeyondItsViewIsRefusedWithItsBytes) {
-    for (const Reach& c : {
-             Reach{"", 4,
-                   "a.glb: accessors[0]: 4 elements of 12 bytes, 12 apart, from byte 0 on reach "
-                   "beyond the 36 of bufferViews[0]"},
-             Reach{R"(,"byteOffset":4)", 3,
-                   "a.glb: accessors[0]: 3 elements of 12 bytes, 12 apart, from byte 4 on reach "
-                   "beyond the 36 of bufferViews[0]"},
-             Reach{R"(,"byteOffset":9007199254740992)", 3,
-                   "a.glb: accessors[0]: 3 elements of 12 bytes, 12 apart, from byte "
-                   "9007199254740992 on reach beyond the 36 of bufferViews[0]"},
-             Reach{
+    for (const ReachedBytes& c : {
+             ReachedBytes{
+                 "", 4,
+                 "a.glb: accessors[0]: 4 elements of 12 bytes, 12 apart, from byte 0 on reach "
+                 "beyond the 36 of bufferViews[0]"},
+             ReachedBytes{
+                 R"(,"byteOffset":4)", 3,
+                 "a.glb: accessors[0]: 3 elements of 12 bytes, 12 apart, from byte 4 on reach "
+                 "beyond the 36 of bufferViews[0]"},
+             ReachedBytes{R"(,"byteOffset":9007199254740992)", 3,
+                          "a.glb: accessors[0]: 3 elements of 12 bytes, 12 apart, from byte "
+                          "9007199254740992 on reach beyond the 36 of bufferViews[0]"},
+             ReachedBytes{
                  "", 9007199254740992,
                  "a.glb: accessors[0]: 9007199254740992 elements of 12 bytes, 12 apart, from byte "
                  "0 on reach beyond the 36 of bufferViews[0]"},

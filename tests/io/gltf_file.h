@@ -1,7 +1,7 @@
 // Builds small glTF files for tests: one buffer, views and accessors in it, in the GLB's chunk.
 #pragma once
 
-#include "io/gltf.h"
+#include "io/gltf/gltf.h"
 
 #include <cstdint>
 #include <cstring>

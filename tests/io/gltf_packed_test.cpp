@@ -1,6 +1,6 @@
 // Meshes that meshoptimizer and Draco packed. Kapoulkine 2021; Google 2018.
 #include "gltf_file.h"
-#include "io/gltf_meshopt.h"
+#include "io/gltf/meshopt.h"
 
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
 #include "folder.h"
 #include "io/hidden_colours.h"
 #include "io/materials.h"
-#include "io/obj.h"
+#include "io/obj/obj.h"
 
 #include <utility>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "base/mapping.h"
 #include "folder.h"
 #include "io/load.h"
-#include "io/obj.h"
+#include "io/obj/obj.h"
 
 #include <cmath>
 #include <map>

@@ -1,5 +1,5 @@
 #include "folder.h"
-#include "io/mtl.h"
+#include "io/obj/mtl.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

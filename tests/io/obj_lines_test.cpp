@@ -1,5 +1,5 @@
 // The lines at which faces and positions of an OBJ file stand.
-#include "io/obj.h"
+#include "io/obj/obj.h"
 
 #include <random>
 #include <string>

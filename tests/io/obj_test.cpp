@@ -1,5 +1,5 @@
 #include "folder.h"
-#include "io/obj.h"
+#include "io/obj/obj.h"
 #include "math/srgb.h"
 #include "same.h"
 

@@ -1,4 +1,4 @@
-#include "io/ply.h"
+#include "io/ply/ply.h"
 #include "io/vertex_colours.h"
 #include "math/srgb.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "folder.h"
-#include "io/obj.h"
-#include "io/stl.h"
+#include "io/obj/obj.h"
+#include "io/stl/stl.h"
 
 #include <bit>
 #include <cstring>

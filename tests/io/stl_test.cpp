@@ -1,6 +1,6 @@
 #include "base/mapping.h"
 #include "geom/build.h"
-#include "io/stl.h"
+#include "io/stl/stl.h"
 #include "math/srgb.h"
 #include "same.h"
 

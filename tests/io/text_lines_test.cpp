@@ -1,6 +1,6 @@
 // The lines at which faces and positions of PLY and OFF files stand.
 #include "io/off.h"
-#include "io/ply.h"
+#include "io/ply/ply.h"
 
 #include <string>
 

@@ -1,5 +1,5 @@
-#include "io/obj.h"
-#include "io/write_obj.h"
+#include "io/obj/obj.h"
+#include "io/obj/write_obj.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

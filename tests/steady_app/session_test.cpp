@@ -1,7 +1,7 @@
 // While a model is turned in the viewer, nothing is allocated between a frame and the next: plan,
 // picture, what lies on it, and the way onto the display.
 #include "app/moving/motion_file.h"
-#include "app/view_session.h"
+#include "app/view/view_session.h"
 #include "port/headless.h"
 #include "support/allocations.h"
 

@@ -1,5 +1,5 @@
 // Clipping of textbooks: every method against the others.
-#include "textbook/clip.h"
+#include "textbook/clip/clip.h"
 #include "textbook/pixels.h"
 
 #include <algorithm>

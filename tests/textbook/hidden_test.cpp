@@ -1,6 +1,6 @@
 // Hidden surfaces: methods that must agree do, over several models and views.
 #include "support/scenes.h"
-#include "textbook/hidden.h"
+#include "textbook/hidden/hidden.h"
 #include "textbook/models.h"
 #include "textbook/pixels.h"
 

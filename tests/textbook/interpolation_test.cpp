@@ -1,6 +1,6 @@
 // Interpolation: stepped values are the direct ones, and each naive way is wrong where it should
 // be.
-#include "textbook/interpolation.h"
+#include "textbook/interpolation/interpolation.h"
 #include "textbook/pixels.h"
 #include "textbook/projection.h"
 

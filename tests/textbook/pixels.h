@@ -2,8 +2,8 @@
 #pragma once
 
 #include "support/random.h"
-#include "textbook/fill.h"
-#include "textbook/line.h"
+#include "textbook/fill/fill.h"
+#include "textbook/line/line.h"
 
 #include <map>
 #include <set>

@@ -1,6 +1,6 @@
 // T3 [Compendium 11.4], HARD-CASES T3: values stepped from a vertex that lies between two lines.
 #include "support/scenes.h"
-#include "textbook/interpolation.h"
+#include "textbook/interpolation/interpolation.h"
 #include "textbook/trap_page.h"
 
 #include <algorithm>

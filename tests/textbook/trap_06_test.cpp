@@ -1,6 +1,6 @@
 // T6 [Compendium 7.3], [ClipSpace 1], [Course 5.1], [SoftwareGraphics]: a corner at or behind the
 // eye.
-#include "textbook/hidden.h"
+#include "textbook/hidden/hidden.h"
 #include "textbook/projection.h"
 #include "textbook/trap_page.h"
 

@@ -1,7 +1,7 @@
 // T7 [ClipSpace 6], [SoftwareGraphics note 6], HARD-CASES T7: the denominator of the clip
 // parameter.
-#include "textbook/clip.h"
-#include "textbook/hidden.h"
+#include "textbook/clip/clip.h"
+#include "textbook/hidden/hidden.h"
 #include "textbook/trap_page.h"
 
 #include <bit>

@@ -1,5 +1,5 @@
 // T9 [Compendium 6.2]: depth cleared to 1000, compared with >, and equal depths.
-#include "textbook/hidden.h"
+#include "textbook/hidden/hidden.h"
 #include "textbook/trap_page.h"
 
 namespace scanout::textbook::test {

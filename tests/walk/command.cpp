@@ -1,6 +1,6 @@
 #include "walk/command.h"
 
-#include "app/command_line.h"
+#include "app/options/command_line.h"
 #include "frame/catalogue.h"
 #include "frame/plan/plan.h"
 

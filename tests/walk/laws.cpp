@@ -1,6 +1,6 @@
 #include "walk/laws.h"
 
-#include "app/command_line.h"
+#include "app/options/command_line.h"
 #include "frame/renderer.h"
 #include "image/hash.h"
 #include "scene/fit.h"

@@ -1,5 +1,5 @@
 #include "app/displays.h"
-#include "app/json_text.h"
+#include "app/report/json_text.h"
 #include "image/pixel_format.h"
 #include "platform/drm/display.h"
 #include "platform/linux-fb/display.h"

@@ -1,5 +1,5 @@
 // Drags and the wheel: what the hand holds follows it.
-#include "app/viewer.h"
+#include "app/view/viewer.h"
 #include "scene/view.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The camera that flies: it leaves the orbit where it is, and the orbit stays what it was.
-#include "app/viewer.h"
+#include "app/view/viewer.h"
 #include "math/rotation.h"
 #include "math/transcendental.h"
 #include "scene/view.h"

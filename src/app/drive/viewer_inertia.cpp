@@ -1,14 +1,14 @@
 // Inertia: what a drag has turned goes on turning when the button goes up, and comes to rest. On
 // the virtual clock, in whole numbers: the same in every run.
-#include "app/viewer.h"
+#include "app/view/viewer.h"
 
 #include <cstdlib>
 
 namespace scanout::app {
 namespace {
 
-constexpr int kParts = 16; // of an angle unit: speeds are that fine
-constexpr int kLost = 16;  // a step takes the 16th part of the speed
+constexpr int kPartsOfAUnit = 16; // of an angle unit: speeds are that fine
+constexpr int kLost = 16;         // a step takes the 16th part of the speed
 constexpr std::int64_t kLongestRest =
     4; // steps: a hand that rests before it lets go throws nothing
 
@@ -40,21 +40,21 @@ void Viewer::throw_off() {
     const Turn &from = drag_->earlier, &to = drag_->last;
     const std::int64_t steps = to.step - from.step;
     if (steps <= 0 || steps > kLongestRest || step_ - to.step > kLongestRest) return;
-    spin_ = {state_.camera_mode, (to.right - from.right) * kParts / steps,
-             (to.up - from.up) * kParts / steps, 0, 0};
+    spin_ = {state_.camera_mode, (to.right - from.right) * kPartsOfAUnit / steps,
+             (to.up - from.up) * kPartsOfAUnit / steps, 0, 0};
     rest_if_slow();
 }
 
 void Viewer::rest_if_slow() {
-    if (std::abs(spin_.right) < kParts && std::abs(spin_.up) < kParts) spin_ = {};
+    if (std::abs(spin_.right) < kPartsOfAUnit && std::abs(spin_.up) < kPartsOfAUnit) spin_ = {};
 }
 
 // A step of the clock.
 void Viewer::spin() {
     const auto whole = [](std::int64_t& rest, std::int64_t speed) {
         rest += speed;
-        const std::int64_t units = rest / kParts;
-        rest -= units * kParts;
+        const std::int64_t units = rest / kPartsOfAUnit;
+        rest -= units * kPartsOfAUnit;
         return units;
     };
     const std::int64_t right = whole(spin_.rest_right, spin_.right),

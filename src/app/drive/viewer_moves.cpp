@@ -1,5 +1,5 @@
 // Steps of keys: the model, the camera or a light turns, moves and scales.
-#include "app/viewer.h"
+#include "app/view/viewer.h"
 
 #include <algorithm>
 

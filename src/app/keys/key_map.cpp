@@ -1,7 +1,7 @@
 #include "app/keys/key_map.h"
 
 #include "app/keys/keys_file.h"
-#include "app/option_readers.h"
+#include "app/options/readers.h"
 #include "base/check.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // file. The camera that flies has keys of its own, which come first while it does.
 #pragma once
 
-#include "app/actions.h"
-#include "app/settings.h"
+#include "app/options/settings.h"
+#include "app/view/actions.h"
 #include "port/input.h"
 
 #include <cstdint>

@@ -1,7 +1,8 @@
 #include "app/keys/keys_file.h"
 
-#include "app/nearest.h"
-#include "app/standing_options.h"
+#include "app/message.h"
+#include "app/options/standing_options.h"
+#include "app/picture/nearest.h"
 #include "base/mapping.h"
 
 #include <algorithm>
@@ -11,12 +12,6 @@
 
 namespace scanout::app {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t start = text.find_first_not_of(" \t\r");
-    if (start == std::string_view::npos) return {};
-    return text.substr(start, text.find_last_not_of(" \t\r") - start + 1);
-}
 
 // A string of TOML, basic or literal, off the front of the text.
 Result<std::string> take_string(std::string_view& text) {

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "app/keys/key_map.h"
-#include "app/settings.h"
+#include "app/options/settings.h"
 #include "base/result.h"
 
 #include <string>

@@ -1,7 +1,7 @@
 // The moments of a motion that a command draws.
 #pragma once
 
-#include "app/settings.h"
+#include "app/options/settings.h"
 #include "base/result.h"
 
 #include <vector>

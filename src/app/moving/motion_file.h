@@ -7,7 +7,7 @@
 //     keys = [{ time = 0, value = [0, 0, 0] }, { time = 2, value = [0, 90, 0] }]
 #pragma once
 
-#include "app/settings.h"
+#include "app/options/settings.h"
 #include "base/result.h"
 #include "base/warnings.h"
 #include "scene/motion/motion.h"

@@ -17,7 +17,7 @@ constexpr unsigned kDirectionals = bit_of(LightKind::directional), kSpots = bit_
                    kEveryLight =
                        kDirectionals | kSpots | kHemispheres | kPoints | bit_of(LightKind::ambient);
 
-constexpr std::array kRows = std::to_array<MovedRow>({
+constexpr std::array kMovedRows = std::to_array<MovedRow>({
     {"model", "translate", Moved::translate, 3, -kAnyNumber, kAnyNumber, "[0, 1, 0]"},
     {"model", "rotate", Moved::rotate, 3, -kAnyNumber, kAnyNumber, "[0, 90, 0]"},
     {"model", "turn", Moved::turn, 4, -kAnyNumber, kAnyNumber, "[0, 0.7071, 0, 0.7071]"},
@@ -42,7 +42,7 @@ constexpr std::array kRows = std::to_array<MovedRow>({
 } // namespace
 
 std::span<const MovedRow> moved_rows() {
-    return kRows;
+    return kMovedRows;
 }
 
 } // namespace scanout::app

@@ -1,5 +1,5 @@
 // The viewer's part in a motion: which moment is shown, and when it goes on.
-#include "app/viewer.h"
+#include "app/view/viewer.h"
 #include "math/bits.h"
 
 #include <fmt/format.h>

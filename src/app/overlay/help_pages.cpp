@@ -1,7 +1,7 @@
 // How the help sheet stands on a screen: in columns, and on pages where one has no room.
 #include "app/overlay/help_sheet.h"
-#include "app/text.h"
-#include "app/text_block.h"
+#include "app/overlay/text.h"
+#include "app/overlay/text_block.h"
 
 #include <algorithm>
 

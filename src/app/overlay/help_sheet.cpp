@@ -1,6 +1,6 @@
 #include "app/overlay/help_sheet.h"
 
-#include "app/actions.h"
+#include "app/view/actions.h"
 
 #include <algorithm>
 #include <array>

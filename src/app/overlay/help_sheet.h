@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/keys/key_map.h"
-#include "app/viewer_state.h"
+#include "app/view/viewer_state.h"
 #include "image/image.h"
 
 #include <cstddef>

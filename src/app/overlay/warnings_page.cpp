@@ -1,6 +1,6 @@
 #include "app/overlay/warnings_page.h"
 
-#include "app/text_block.h"
+#include "app/overlay/text_block.h"
 
 #include <algorithm>
 

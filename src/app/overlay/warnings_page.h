@@ -1,7 +1,7 @@
 // The warnings of a file in full: wrapped, and on pages.
 #pragma once
 
-#include "app/explain_report.h"
+#include "app/report/explain_report.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "app/switches/live_switches.h"
 
-#include "app/option_readers.h"
-#include "app/values.h"
+#include "app/options/readers.h"
+#include "app/options/values.h"
 #include "frame/catalogue.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The session's part in live switches: what the plan makes of them.
 #include "app/switches/switch_note.h"
-#include "app/view_session.h"
+#include "app/view/view_session.h"
 
 namespace scanout::app {
 

@@ -1,5 +1,5 @@
 // The viewer's part in live switches of the rendering.
-#include "app/viewer.h"
+#include "app/view/viewer.h"
 
 namespace scanout::app {
 
