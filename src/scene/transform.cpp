@@ -92,13 +92,14 @@ Stretch stretch_of(const DMat3& m) {
 
 Decomposition polar_decomposition(const DMat3& m) {
     Decomposition d;
-    d.determinant = determinant(m);
     const double size = largest_entry(m);
     const DMat3 unit = m / size;
+    const double of_unit = determinant(unit); // that of m itself may vanish, with its sign
+    d.determinant = of_unit * size * size * size;
     DMat3 squares = transpose(unit) * unit;
     d.axes = eigenvectors(squares);
     if (determinant(d.axes) < 0) d.axes[2] = -d.axes[2];
-    const double sign = d.determinant < 0 ? -1 : 1;
+    const double sign = of_unit < 0 ? -1 : 1;
     for (int i = 0; i < 3; ++i)
         d.factors[i] = sign * length(unit * d.axes[i]); // of the small ones more digits are right
     d.rotation = unit * d.axes * scaling(DVec3(1) / d.factors) * transpose(d.axes);
