@@ -10,6 +10,7 @@ Placement placement_of(const ModelTransform& model, const geom::Mesh& mesh, UpAx
         placed.offset = step.linear * (placed.offset - c) + c + step.offset;
         placed.linear = step.linear * placed.linear;
     }
+    placed.offset += model.moved;
     return placed;
 }
 

@@ -27,8 +27,10 @@ struct ModelTransform {
     DVec3 rotate_degrees{0};
     DVec3 translate{0}; // bounding radii
     std::vector<TransformStep> steps;
-    // By which a motion has turned it, after all of these, about its centre and the world's axes.
+    // By which a motion has turned it, after all of these, about its centre and the world's axes,
+    // and moved it then, bounding radii.
     std::optional<DMat3> turn = std::nullopt;
+    DVec3 moved{0};
 };
 // to_view * turn, to be followed by the rest: a model turned by hand is multiplied in this order.
 DMat3 turned(const DMat3& to_view, const ModelTransform& model);

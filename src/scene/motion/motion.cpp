@@ -29,7 +29,7 @@ Vec3 colour_of(const Numbers& n) {
 void move_model(Moved moved, const Numbers& n, ModelTransform& model) {
     switch (moved) {
     case Moved::translate:
-        model.translate += vector_of(n);
+        model.moved += vector_of(n);
         break;
     case Moved::scale:
         model.scale *= vector_of(n);

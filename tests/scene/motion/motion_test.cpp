@@ -2,6 +2,7 @@
 #include "math/rotation.h"
 #include "scene/fit.h"
 #include "scene/motion/motion.h"
+#include "scene/placement.h"
 #include "support/random.h"
 
 #include <string>
@@ -65,11 +66,19 @@ TEST(Motion, ActsOnWhatTheOptionsMadeOfTheModel) {
         return at(motion_of(track(moved, width, {0}, value)), 0, options);
     };
     EXPECT_EQ(after(Moved::scale, 3, {1, 3, 1}).model.scale, DVec3(2, 6, 1));
-    EXPECT_EQ(after(Moved::translate, 3, {1, 3, 0}).model.translate, DVec3(2, 3, 0));
+    const ModelTransform moved = after(Moved::translate, 3, {1, 3, 0}).model;
+    EXPECT_EQ(placement_of(moved, {}, UpAxis::plus_y).offset, DVec3(2, 3, 0));
     EXPECT_EQ(after(Moved::shift, 2, {1, 2}).camera.shift, DVec2(1.5, 2));
     // Turned up by the option, then about the world's y by the track: the file's y ends at x.
-    const ModelTransform turned = after(Moved::rotate, 3, {0, 90, 0}).model;
-    EXPECT_EQ(placed(DMat3(1), turned, DVec3(1)) * DVec3(0, 1, 0), DVec3(1, 0, 0));
+    const ModelTransform model = after(Moved::rotate, 3, {0, 90, 0}).model;
+    const auto world = [&](const ModelTransform& m, const DVec3& p) {
+        const Placement placed = placement_of(m, {}, UpAxis::plus_y);
+        return turned(DMat3(1), m) * placed.linear * p + placed.offset;
+    };
+    EXPECT_EQ(world(model, {0, 1, 0}), DVec3(3, 0, 0)) << "twice as long, from (1, 0, 0)";
+    // Steps of the command line come before a motion, too.
+    options.model.steps.push_back({scaling({3, 3, 3}), DVec3(0, 0, 1), {}});
+    EXPECT_EQ(world(after(Moved::translate, 3, {1, 3, 0}).model, DVec3(0)), DVec3(4, 3, 1));
 }
 
 TEST(Motion, TakesThePlaceOfTheCamerasOptions) {
