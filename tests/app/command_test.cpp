@@ -174,7 +174,7 @@ TEST_F(Program, EveryRefusalSaysWhatToDo) {
           {"list keys all", "takes no more words"},
           {"render --hash", "as in `scanout render"},
           {"render $m -o", "-o wants FILE; give it"},
-          {"render $m --cull", "--cull wants none|back|front; give it"},
+          {"render $m --cull", "--cull wants material|none|back|front; give it"},
           {"render $m --hash=yes", "write --hash alone"},
           {"render $m --hash --max-diff 3", "leave it out"},
           {"render $m -o $d/a.png --format ppm", "says png, --format says ppm; leave"},

@@ -58,13 +58,13 @@ keys = [{ time = 0, value = 0, ease = "out" }, { time = 2, value = 1 }]
     EXPECT_EQ(motion.duration, 2);
     EXPECT_FALSE(motion.loops);
     const Moved now = moved(motion, 1);
-    EXPECT_EQ(now.model.translate, DVec3(2, 0, 1));
+    EXPECT_EQ(now.model.moved, DVec3(2, 0, 1));
     EXPECT_EQ(now.model.scale, DVec3(1.5, 1, 1));
     EXPECT_EQ(now.camera.fov_degrees, 60);
     EXPECT_EQ(now.camera.azimuth_degrees, 10);
     EXPECT_EQ(now.lights[0].power, 0.75);
     EXPECT_EQ(now.lights[1].colour, Vec3(1, srgb_decode(128), 0));
-    EXPECT_EQ(moved(motion, 9).model.translate, DVec3(4, 0, 2)) << "it stays at its end";
+    EXPECT_EQ(moved(motion, 9).model.moved, DVec3(4, 0, 2)) << "it stays at its end";
 }
 
 TEST(MotionFile, ALoopBeginsAgainAfterTheDurationOrTheLastKey) {

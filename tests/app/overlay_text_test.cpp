@@ -34,7 +34,7 @@ TEST_F(Words, InformationNamesFileCountsAndState) {
         viewer_after({ActionId::toggle_info, ActionId::toggle_drive}), slot, settings, "", keys);
     EXPECT_EQ(overlay.info, (std::vector<std::string>{
                                 "t.obj  (1 of 2)", "1 triangles  3 vertices  0 warnings  640x480",
-                                "perspective  up y  cull none  camera mode"}));
+                                "perspective  up y  cull material  camera mode"}));
     EXPECT_TRUE(overlay.help.empty());
 }
 

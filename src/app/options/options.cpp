@@ -379,8 +379,8 @@ constexpr std::array kOptions = std::to_array<Option>({
      "Space pauses"},
     {"animation", 0, "NAME|N", "", "", 0, 0, Group::model, kDraw,
      Text([](Settings& s) -> std::string& { return s.animation; }),
-     "pose a glTF model by its animation of this name or number, at --time or by --frames A..B; "
-     "view shows that moment"},
+     "pose a glTF model by its animation of this name or number, at --time; render draws it frame "
+     "by frame, view shows that moment"},
     {"time", 0, "SECONDS", "", "0", 0, 1e9, Group::model, kDraw, Parsed(read_time),
      "of --motion or --animation: this moment; view begins with it, and waits for Space"},
 

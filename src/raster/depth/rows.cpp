@@ -11,6 +11,16 @@ constexpr Technique card(std::string_view name, std::string_view blurb, std::str
     return {"depth", name, blurb, source, Kind::rung};
 }
 
+constexpr Technique linear_card() {
+    Technique made = card("linear",
+                          "24 bits in even steps of the distance, from near to behind "
+                          "the model",
+                          "Lapidous and Jiao 1999");
+    made.may_err_more = {"fixed_24 float_32", "its steps are as large just before the eye as far "
+                                              "away: near surfaces have fewer of them"};
+    return made;
+}
+
 } // namespace
 
 // Depth in 16 bits: 1 - near / distance in 65535 steps. At a ratio of distances of 1e7 it separates
@@ -42,10 +52,7 @@ constinit const DepthFormatRow float_32{
 // The distance itself in even steps, as a w-buffer keeps it: just before the eye coarser than the
 // others, behind it finer than those that divide. What is interpolated is 1 / distance, so no edge
 // bends [ClipSpace 4.2].
-constinit const DepthFormatRow linear{
-    card("linear", "24 bits in even steps of the distance, from near to behind the model",
-         "Lapidous and Jiao 1999"),
-    true, 16777215, true};
+constinit const DepthFormatRow linear{linear_card(), true, 16777215, true};
 
 // Reversed depth, near / distance in a float: steps of 2^-24 of the distance, near and far.
 // Lapidous and Jiao 1999; HARD-CASES L2.
