@@ -18,7 +18,9 @@ inline Look look_of(const Shot& shot) {
     look.height = shot.options.height;
     look.background = shot.options.background;
     look.lights = shot.options.lights;
-    look.left = static_cast<Left>(shot.options.cull);
+    look.left = shot.options.cull == frame::Cull::back    ? Left::backs
+                : shot.options.cull == frame::Cull::front ? Left::fronts
+                                                          : Left::none;
     return look;
 }
 inline scene::View view_of(const Shot& shot) {

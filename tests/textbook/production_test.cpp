@@ -94,7 +94,8 @@ TEST(TextbookRenderer, EveryPresetDrawsTheModelWhereTheOthersDo) {
 TEST(TextbookRenderer, NoFileHasTwoHundredLines) {
     int files = 0;
     for (const auto& entry :
-         std::filesystem::directory_iterator(SCANOUT_SOURCE_DIR "/src/textbook")) {
+         std::filesystem::recursive_directory_iterator(SCANOUT_SOURCE_DIR "/src/textbook")) {
+        if (!entry.is_regular_file()) continue;
         std::ifstream stream(entry.path());
         const auto lines = std::count(std::istreambuf_iterator<char>(stream), {}, '\n');
         EXPECT_LT(lines, 200) << entry.path();
