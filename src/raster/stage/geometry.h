@@ -103,7 +103,7 @@ public:
 private:
     // Opaque triangles that may touch the tile, by id; and drawn so.
     void sort_triangles(int tile, std::vector<std::uint32_t>& out) const;
-    void draw_in_order(int tile, VisibilityTile& out) const;
+    void draw_in_order(int tile, VisibilityTile& out, std::vector<std::uint32_t>& order) const;
     void find_visible_clusters(Jobs& jobs);
     // The pixels of the area that may hold a sample of the triangle; of its parts that are visible,
     // where they are drawn to `out`.

@@ -51,7 +51,10 @@ void Geometry::draw(int tile, VisibilityTile& out, DeferredTriangles* scratch) {
 
 void Geometry::draw_triangles(int tile, VisibilityTile& out, DeferredTriangles* scratch) {
     CHECK(!occlusion_.is_on() || scratch != nullptr);
-    if (out.rule().wants_order()) return draw_in_order(tile, out);
+    if (out.rule().wants_order()) {
+        std::vector<std::uint32_t> order;
+        return draw_in_order(tile, out, scratch != nullptr ? scratch->triangles : order);
+    }
     // By another depth rule than the default one small triangles are drawn like all others.
     std::array<std::uint32_t, 64> some;
     std::size_t count = 0;
@@ -221,12 +224,13 @@ void Geometry::sort_triangles(int tile, std::vector<std::uint32_t>& out) const {
     out.erase(std::unique(out.begin(), out.end()), out.end()); // two clipped triangles of one
 }
 
-void Geometry::draw_in_order(int tile, VisibilityTile& out) const {
+void Geometry::draw_in_order(int tile, VisibilityTile& out,
+                             std::vector<std::uint32_t>& order) const {
     CHECK(!occlusion_.is_on());
-    std::vector<std::uint32_t> triangles;
-    sort_triangles(tile, triangles);
-    for (const std::uint32_t triangle : triangles)
+    sort_triangles(tile, order);
+    for (const std::uint32_t triangle : order)
         draw_one(triangle, out);
+    order.clear();
 }
 
 void Geometry::draw_each(int tile, VisibilityTile& out, ById& order, const Drawn& drawn) const {
