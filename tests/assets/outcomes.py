@@ -56,7 +56,8 @@ def files_below(root):
     for base, folders, names in os.walk(root):
         folders.sort()
         for name in sorted(names):
-            yield os.path.join(base, name)
+            if not name.endswith(".toml"):  # a motion, no model
+                yield os.path.join(base, name)
 
 
 def main():
