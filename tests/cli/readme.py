@@ -87,7 +87,7 @@ def run(command, here, folder):
     if done.returncode != 0:
         fail(f"{command}: exit code {done.returncode}", done.stderr.decode())
     for output in re.findall(r"-o '?([\w.{}-]+)'?", command):
-        if output != "-" and not os.path.exists(os.path.join(folder, output.replace("{n}", "0").replace("{name}", "spot"))):
+        if output != "-" and not os.path.exists(os.path.join(folder, output.replace("{n}", "0").replace("{frame}", "0").replace("{name}", "spot"))):
             fail(f"{command}: wrote no {output}")
 
 
