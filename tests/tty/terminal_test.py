@@ -371,15 +371,19 @@ class KeysAndMouse(TerminalTest):
         terminal.wait_for_line(" move_right")
 
 
+def is_sanitized():
+    """A sanitizer takes faults itself, and ends in its own way."""
+    with open(SCANOUT, "rb") as program:
+        return re.search(rb"__[at]san_init", program.read()) is not None
+
+
 class Ends(TerminalTest):
     def test_the_terminal_is_as_before_after_every_key_and_signal(self):
         ways = [("q", 0), ("\x1b", 0), ("\x03", 0), ("\x1c", 0), (signal.SIGTERM, 0), (signal.SIGHUP, 0), (signal.SIGINT, 0),
                 *((number, -number) for number in (signal.SIGSEGV, signal.SIGABRT, signal.SIGUSR1, signal.SIGUSR2, SIGSTKFLT, signal.SIGRTMIN,
                                               signal.SIGRTMAX))]
-        with open(SCANOUT, "rb") as program:
-            sanitized = re.search(rb"__[at]san_init", program.read())  # it ends in its own way
         for number, (way, code) in enumerate(ways):
-            if sanitized and code:
+            if is_sanitized() and code:
                 continue
             what = ({"kitty": True}, {"sixel": True}, {}, {"answers": False})[number % 4]
             with self.subTest(way=way, **what):
@@ -451,6 +455,8 @@ class Ends(TerminalTest):
 
     def test_stopped_and_told_to_end_it_ends_in_the_background(self):
         for stop, way, code in (("\x1a", signal.SIGTERM, 0), (signal.SIGSTOP, signal.SIGTERM, 0), (signal.SIGSTOP, signal.SIGSEGV, -signal.SIGSEGV)):
+            if is_sanitized() and code:
+                continue
             with self.subTest(stop=stop, way=way):
                 terminal = self.shown(as_job=True)
                 if isinstance(stop, str):
