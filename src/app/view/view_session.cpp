@@ -453,7 +453,7 @@ Result<void> ViewSession::wait() {
     if (const auto next = next_step(); next && !lost_ && !frame_file_)
         consider(clock_.running() ? clock_.time_of(*next) : std::chrono::steady_clock::now());
     if (ready && !lost_ && wants_frame()) consider(pacer_.due());
-    if (level_ > 0 && !viewer_.turning()) consider(motion_.settles());
+    if (level_ > 0 && !viewer_.turning()) consider(settling_.settles());
     if (rungs) // at once, or when a thread may have ended
         consider(std::chrono::steady_clock::now() +
                  std::chrono::milliseconds(frontier_.building() ? 5 : 0));

@@ -19,11 +19,11 @@
 #include "app/view/live_explain.h"
 #include "app/view/live_frontier.h"
 #include "app/view/model_slot.h"
-#include "app/view/motion.h"
 #include "app/view/motion_levels.h"
 #include "app/view/recording.h"
 #include "app/view/rung_stepper.h"
 #include "app/view/script_player.h"
+#include "app/view/settling.h"
 #include "app/view/timed_message.h"
 #include "app/view/viewer.h"
 #include "app/view/virtual_clock.h"
@@ -202,7 +202,7 @@ private:
     FramePacer pacer_;
     std::vector<MotionLevel> levels_;
     std::optional<Governor> governor_; // none: no budget is held
-    Motion motion_;
+    Settling settling_;
     int level_ = 0; // of the next frame
     FrameLog log_;
 

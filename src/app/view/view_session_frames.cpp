@@ -31,8 +31,8 @@ void ViewSession::set_motion_levels() {
 // The level of the next frame: what the governor says until a picture has stood for a while.
 void ViewSession::follow_motion(Time now) {
     if (!governor_) return;
-    if (motion_.follow(key(), viewer_.turning(), now)) governor_->rest();
-    level_ = motion_.moves() ? governor_->level() : 0;
+    if (settling_.follow(key(), viewer_.turning(), now)) governor_->rest();
+    level_ = settling_.moves() ? governor_->level() : 0;
 }
 
 // ---- Frames -----------------------------------------------------------------------------------
@@ -152,10 +152,10 @@ Result<void> ViewSession::draw(const Shown& wanted) {
         compose(wanted.overlay, wanted.level);
     composer_.set_pointer(wanted.pointer);
     TRY_VOID(present());
-    if (governor_ && wanted.picture == motion_.picture()) {
+    if (governor_ && wanted.picture == settling_.picture()) {
         if (new_picture && wanted.level == governor_->level())
             governor_->took(watch.milliseconds());
-        if (!(wanted.picture == shown_.picture)) motion_.shown(std::chrono::steady_clock::now());
+        if (!(wanted.picture == shown_.picture)) settling_.shown(std::chrono::steady_clock::now());
     }
     shown_ = wanted;
     repaint_ = false;

@@ -7,13 +7,14 @@
 
 namespace scanout::app {
 
-class Motion {
+class Settling {
 public:
     using Time = std::chrono::steady_clock::time_point;
     static constexpr std::chrono::milliseconds kSettle{150};
 
     // The picture that is asked for at `now`. `turning`: by itself, so that it will be another one
-    // soon. True where a motion has ended since the last call, also where one begins again by now.
+    // soon. True where a movement has ended since the last call, also where one begins again by
+    // now.
     bool follow(const PictureKey& asked, bool turning, Time now);
     // It has been drawn: a slow frame is no stillness.
     void shown(Time now) { since_ = now; }

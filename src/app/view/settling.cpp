@@ -1,8 +1,8 @@
-#include "app/view/motion.h"
+#include "app/view/settling.h"
 
 namespace scanout::app {
 
-bool Motion::follow(const PictureKey& asked, bool turning, Time now) {
+bool Settling::follow(const PictureKey& asked, bool turning, Time now) {
     // Nobody may have called since it settled: where all is still, nothing runs.
     const bool settled = !turning_ && now >= settles();
     if (!(asked == picture_)) {

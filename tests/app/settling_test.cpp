@@ -1,4 +1,4 @@
-#include "app/view/motion.h"
+#include "app/view/settling.h"
 
 #include <gtest/gtest.h>
 
@@ -7,50 +7,50 @@ namespace {
 
 using namespace std::chrono_literals;
 
-class MotionTest : public ::testing::Test {
+class SettlingTest : public ::testing::Test {
 protected:
     bool follow(int picture, std::chrono::milliseconds at, bool turning = false) {
         PictureKey key;
         key.generation = picture;
-        return motion.follow(key, turning, start + at);
+        return settling.follow(key, turning, start + at);
     }
-    Motion::Time start{1h};
-    Motion motion;
+    Settling::Time start{1h};
+    Settling settling;
 };
 
-TEST_F(MotionTest, EndsOnceThePictureHasStood) {
+TEST_F(SettlingTest, EndsOnceThePictureHasStood) {
     EXPECT_FALSE(follow(1, 0ms));
-    EXPECT_TRUE(motion.moves());
+    EXPECT_TRUE(settling.moves());
     EXPECT_FALSE(follow(2, 100ms));
     EXPECT_FALSE(follow(2, 249ms));
-    EXPECT_TRUE(motion.moves());
+    EXPECT_TRUE(settling.moves());
     EXPECT_TRUE(follow(2, 250ms));
-    EXPECT_FALSE(motion.moves());
+    EXPECT_FALSE(settling.moves());
     EXPECT_FALSE(follow(2, 900ms)) << "it is said once";
 }
 
 // Where the best picture is on show already, nothing wakes up when it settles.
-TEST_F(MotionTest, TheNextOneTellsThatTheLastHasEnded) {
+TEST_F(SettlingTest, TheNextOneTellsThatTheLastHasEnded) {
     follow(1, 0ms);
     EXPECT_TRUE(follow(2, 5000ms));
-    EXPECT_TRUE(motion.moves());
+    EXPECT_TRUE(settling.moves());
     EXPECT_TRUE(follow(2, 10000ms, true)) << "it begins to turn";
-    EXPECT_TRUE(motion.moves());
+    EXPECT_TRUE(settling.moves());
 }
 
-TEST_F(MotionTest, SlowFramesAreNoStillness) {
+TEST_F(SettlingTest, SlowFramesAreNoStillness) {
     follow(1, 0ms);
     for (int i = 2; i < 9; ++i) { // 400 ms each
-        motion.shown(start + 400ms * (i - 1));
+        settling.shown(start + 400ms * (i - 1));
         EXPECT_FALSE(follow(i, 400ms * (i - 1) + 10ms)) << i;
-        EXPECT_TRUE(motion.moves());
+        EXPECT_TRUE(settling.moves());
     }
     EXPECT_FALSE(follow(8, 2900ms, true));
     EXPECT_FALSE(follow(10, 5000ms, true)) << "it turns";
     EXPECT_FALSE(follow(10, 6000ms, true));
-    EXPECT_TRUE(motion.moves());
+    EXPECT_TRUE(settling.moves());
     EXPECT_TRUE(follow(10, 7000ms)) << "it turns no more";
-    EXPECT_FALSE(motion.moves());
+    EXPECT_FALSE(settling.moves());
 }
 
 } // namespace
